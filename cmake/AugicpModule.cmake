@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+# One call per module: its sources, public headers, tests and the modules it may include.
+#
+# Modules are object libraries. CMake refuses cycles among them, and the library users link, augicp::augicp, is made of their
+# objects. `tests/includes_test.py` checks that a module includes only what its DEPENDS names.
+
+add_library(augicp_build_flags INTERFACE)
+target_compile_features(augicp_build_flags INTERFACE cxx_std_20)
+target_compile_options(augicp_build_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  $<$<BOOL:${AUGICP_WARNINGS_AS_ERRORS}>:-Werror>
+  # The same bits everywhere: the compiler may not fuse a multiplication and an addition in one build and not in another.
+  -ffp-contract=off)
+if(AUGICP_SANITIZE)
+  target_compile_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  target_link_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE})
+endif()
+
+function(augicp_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;TESTS;DEPENDS;PRIVATE")
+  add_library(augicp_${name} OBJECT)
+  list(TRANSFORM arg_SOURCES PREPEND ${name}/)
+  list(TRANSFORM arg_HEADERS PREPEND ${name}/)
+  target_sources(augicp_${name} PRIVATE ${arg_SOURCES} ${arg_HEADERS})
+  set_target_properties(augicp_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON LINKER_LANGUAGE CXX)
+  list(TRANSFORM arg_DEPENDS PREPEND augicp_)
+  target_link_libraries(augicp_${name} PUBLIC Eigen3::Eigen ${arg_DEPENDS} PRIVATE augicp_build_flags ${arg_PRIVATE})
+  target_include_directories(augicp_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  set_property(GLOBAL APPEND PROPERTY AUGICP_MODULES ${name})
+  set_property(GLOBAL APPEND PROPERTY AUGICP_HEADERS ${arg_HEADERS})
+  set_property(GLOBAL APPEND PROPERTY AUGICP_PRIVATE_LIBRARIES ${arg_PRIVATE})
+  if(arg_TESTS)
+    set_property(GLOBAL APPEND PROPERTY AUGICP_TESTED_MODULES ${name})
+    set_property(GLOBAL PROPERTY AUGICP_TESTS_${name} ${arg_TESTS})
+  endif()
+endfunction()
+
+# The unit tests of one module, made after the library so that they may use all of it and the testing module.
+function(augicp_module_tests name)
+  get_property(tests GLOBAL PROPERTY AUGICP_TESTS_${name})
+  list(TRANSFORM tests PREPEND ${name}/)
+  add_executable(augicp_${name}_test ${tests})
+  target_link_libraries(augicp_${name}_test PRIVATE augicp_testing augicp_build_flags GTest::gmock_main ${ARGN})
+  gtest_discover_tests(augicp_${name}_test TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()

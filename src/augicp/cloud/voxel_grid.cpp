@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/cloud/voxel_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "augicp/core/check.h"
+
+namespace augicp {
+namespace {
+
+constexpr double kMaxCells = 1 << 21;  // three axes of 21 bits fit one 64-bit key
+
+// Every third bit of the result is a bit of the lowest 21 of x.
+std::uint64_t spread_bits(std::uint64_t x) {
+  x = (x | x << 32) & 0x001f00000000ffff;
+  x = (x | x << 16) & 0x001f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+std::uint64_t morton_key(const Vec3f& point, const Vec3f& min, double cell) {
+  // Offsets from the minimum are never negative, so that truncation is the floor.
+  const auto axis = [&](int k) {
+    const double index = (static_cast<double>(point[k]) - static_cast<double>(min[k])) / cell;
+    return spread_bits(static_cast<std::uint64_t>(std::min(index, kMaxCells - 1.0)));
+  };
+  return axis(0) | axis(1) << 1 | axis(2) << 2;
+}
+
+struct Keyed {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+std::vector<Keyed> sorted_keys(const Cloud& cloud, double cell) {
+  const Vec3f min = bounds(cloud).min;
+  std::vector<Keyed> keyed(cloud.size());
+  for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = {morton_key(cloud.points[i], min, cell), i};
+  std::sort(keyed.begin(), keyed.end(), [&](const Keyed& a, const Keyed& b) {
+    if (a.key != b.key) return a.key < b.key;
+    const Vec3f &p = cloud.points[a.index], &q = cloud.points[b.index];
+    return std::tie(p.x(), p.y(), p.z(), a.index) < std::tie(q.x(), q.y(), q.z(), b.index);
+  });
+  return keyed;
+}
+
+double largest_span(const Cloud& cloud) {
+  const Bounds box = bounds(cloud);
+  return (box.max.cast<double>() - box.min.cast<double>()).maxCoeff();
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> spatial_order(const Cloud& cloud) {
+  if (cloud.empty()) return {};
+  const double cell = std::max(largest_span(cloud) / (kMaxCells - 1.0), 1e-30);
+  const std::vector<Keyed> keyed = sorted_keys(cloud, cell);
+  std::vector<std::uint32_t> order(keyed.size());
+  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& k) { return k.index; });
+  return order;
+}
+
+Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices) {
+  Cloud chosen;
+  chosen.origin = cloud.origin;
+  chosen.viewpoint = cloud.viewpoint;
+  chosen.points.reserve(indices.size());
+  for (std::uint32_t i : indices) chosen.points.push_back(cloud.points[i]);
+  if (!cloud.has_directions()) return chosen;
+  for (std::uint32_t i : indices) {
+    chosen.directions.push_back(cloud.directions[i]);
+    chosen.structures.push_back(cloud.structures[i]);
+  }
+  return chosen;
+}
+
+Cloud downsample(const Cloud& cloud, double voxel_size) {
+  require_positive("voxel_size", voxel_size);
+  if (cloud.empty()) return cloud;
+  require(largest_span(cloud) / voxel_size < kMaxCells, "voxel_size", voxel_size,
+          "too small, the cloud spans more than 2^21 voxels");
+  const std::vector<Keyed> keyed = sorted_keys(cloud, voxel_size);
+  std::vector<std::uint32_t> nearest_to_mean;
+  std::vector<Vec3f> means;
+  for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
+    Vec3d sum = Vec3d::Zero();
+    for (; end < keyed.size() && keyed[end].key == keyed[begin].key; ++end)
+      sum += cloud.points[keyed[end].index].cast<double>();
+    const Vec3f mean = (sum / static_cast<double>(end - begin)).cast<float>();
+    const auto nearest = std::min_element(keyed.begin() + begin, keyed.begin() + end, [&](const Keyed& a, const Keyed& b) {
+      return (cloud.points[a.index] - mean).squaredNorm() < (cloud.points[b.index] - mean).squaredNorm();
+    });
+    means.push_back(mean);
+    nearest_to_mean.push_back(nearest->index);
+  }
+  Cloud sampled = select(cloud, nearest_to_mean);
+  sampled.points = std::move(means);
+  return sampled;
+}
+
+}  // namespace augicp

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "augicp/cloud/cloud.h"
+
+namespace augicp {
+
+// Indices of the points along a space-filling (Morton) curve, equal places ordered by coordinates: neighbours in space
+// become neighbours in memory, and the order does not depend on the order in which the points came.
+std::vector<std::uint32_t> spatial_order(const Cloud& cloud);
+
+// The points at these indices, in this order, with all that belongs to them.
+Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices);
+
+// One point a voxel: the mean of the points in it, with the direction and structure of the point nearest to that mean.
+// Ordered in space and independent of the order of the points. voxel_size in metres, above 0; throws
+// std::invalid_argument where the cloud spans more than 2^21 voxels along an axis.
+Cloud downsample(const Cloud& cloud, double voxel_size);
+
+}  // namespace augicp

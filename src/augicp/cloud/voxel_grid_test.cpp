@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/cloud/voxel_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+#include <tuple>
+
+#include "augicp/testing/poses.h"
+
+namespace augicp {
+namespace {
+
+Cloud random_cloud(int count, double half_extent) {
+  std::mt19937 generator(11);
+  Cloud cloud;
+  const auto coordinate = [&] { return static_cast<float>(testing::uniform(generator, -half_extent, half_extent)); };
+  for (int i = 0; i < count; ++i) {
+    const float x = coordinate(), y = coordinate(), z = coordinate();
+    cloud.points.emplace_back(x, y, z);
+  }
+  return cloud;
+}
+
+Cloud shuffled(const Cloud& cloud) {
+  std::vector<std::uint32_t> indices(cloud.size());
+  std::iota(indices.begin(), indices.end(), 0u);
+  std::shuffle(indices.begin(), indices.end(), std::mt19937(5));
+  return select(cloud, indices);
+}
+
+TEST(VoxelGrid, EachVoxelGivesTheMeanOfItsPoints) {
+  const Cloud cloud = random_cloud(2000, 1.0);
+  const double voxel_size = 0.3;
+  const Vec3f min = bounds(cloud).min;
+  std::map<std::tuple<int, int, int>, std::vector<Vec3f>> voxels;
+  for (const Vec3f& p : cloud.points) {
+    const auto cell = [&](int k) { return static_cast<int>(std::floor((double(p[k]) - double(min[k])) / voxel_size)); };
+    voxels[{cell(0), cell(1), cell(2)}].push_back(p);
+  }
+  const Cloud sampled = downsample(cloud, voxel_size);
+  ASSERT_EQ(sampled.size(), voxels.size());
+  for (const auto& [cell, members] : voxels) {
+    Vec3f mean = Vec3f::Zero();
+    for (const Vec3f& p : members) mean += p / static_cast<float>(members.size());
+    const bool found = std::any_of(sampled.points.begin(), sampled.points.end(),
+                                   [&](const Vec3f& p) { return (p - mean).norm() < 1e-5f; });
+    EXPECT_TRUE(found);
+  }
+}
+
+TEST(VoxelGrid, OrderOfThePointsDoesNotMatter) {
+  const Cloud cloud = random_cloud(5000, 2.0);
+  EXPECT_EQ(downsample(cloud, 0.2).points, downsample(shuffled(cloud), 0.2).points);
+  const Cloud other = shuffled(cloud);
+  EXPECT_EQ(select(cloud, spatial_order(cloud)).points, select(other, spatial_order(other)).points);
+}
+
+TEST(VoxelGrid, SpatialOrderIsAPermutationWithShorterSteps) {
+  const Cloud cloud = random_cloud(5000, 2.0);
+  std::vector<std::uint32_t> order = spatial_order(cloud);
+  const auto path = [](const Cloud& c) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < c.size(); ++i) length += (c.points[i] - c.points[i - 1]).norm();
+    return length;
+  };
+  EXPECT_LT(path(select(cloud, order)), 0.2 * path(cloud));
+  std::sort(order.begin(), order.end());
+  for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
+}
+
+TEST(VoxelGrid, EqualPointsBecomeOne) {
+  Cloud cloud;
+  cloud.points.assign(5000, Vec3f(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(downsample(cloud, 0.1).points, std::vector<Vec3f>{Vec3f(1.0f, 2.0f, 3.0f)});
+  EXPECT_EQ(spatial_order(cloud).size(), 5000u);
+}
+
+TEST(VoxelGrid, DirectionsComeFromAMember) {
+  Cloud cloud;
+  cloud.points = {{0.0f, 0.0f, 0.0f}, {0.01f, 0.0f, 0.0f}, {0.05f, 0.0f, 0.0f}};
+  cloud.directions = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
+  cloud.structures = {Structure::Planar, Structure::Edge, Structure::Planar};
+  const Cloud sampled = downsample(cloud, 1.0);
+  ASSERT_EQ(sampled.size(), 1u);
+  EXPECT_EQ(sampled.directions[0], Vec3f(0.0f, 1.0f, 0.0f));
+  EXPECT_EQ(sampled.structures[0], Structure::Edge);
+}
+
+TEST(VoxelGrid, BadSizesAreRefused) {
+  const Cloud cloud = random_cloud(10, 1.0);
+  for (double voxel_size : {0.0, -1.0, std::nan(""), 1e-9}) EXPECT_THROW(downsample(cloud, voxel_size), std::invalid_argument);
+  EXPECT_TRUE(downsample(Cloud{}, 0.1).empty());
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace augicp {
+
+// A file that cannot be read or written as asked. The message names the file, the line or byte, what was expected and
+// what was found. Bad arguments are std::invalid_argument instead.
+class IoError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace augicp

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/sensor/depth_image.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace augicp {
+namespace {
+
+void check_sizes(const DepthImage& image, const Pinhole& camera) {
+  camera.check();
+  if (image.width < 0 || image.height < 0 || image.depth.size() != static_cast<std::size_t>(image.width) * image.height)
+    throw std::invalid_argument("depth image: the array does not hold width * height values");
+  const bool fits = (camera.width == 0 || camera.width == image.width) && (camera.height == 0 || camera.height == image.height);
+  if (fits) return;
+  throw std::invalid_argument("depth image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                              " pixels, the camera's are " + std::to_string(camera.width) + " x " +
+                              std::to_string(camera.height));
+}
+
+}  // namespace
+
+OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const DepthRange& range) {
+  check_sizes(image, camera);
+  OrganizedCloud result{{}, IndexImage(image.width, image.height)};
+  Cloud& cloud = result.cloud;
+  cloud.viewpoint = Vec3f::Zero();
+  cloud.points.reserve(image.depth.size());
+  std::size_t pixel = 0;
+  for (int v = 0; v < image.height; ++v) {
+    const double y = (v - camera.cy) / camera.fy;
+    for (int u = 0; u < image.width; ++u, ++pixel) {
+      const double z = image.depth[pixel];
+      if (!(z > range.min && z <= range.max && z < std::numeric_limits<float>::max())) continue;  // NaN fails too
+      result.index.index[pixel] = static_cast<std::int32_t>(cloud.points.size());
+      cloud.points.push_back((z * Vec3d((u - camera.cx) / camera.fx, y, 1.0)).cast<float>());
+    }
+  }
+  return result;
+}
+
+}  // namespace augicp

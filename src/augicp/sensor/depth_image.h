@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "augicp/cloud/cloud.h"
+#include "augicp/cloud/index_image.h"
+#include "augicp/sensor/pinhole.h"
+
+namespace augicp {
+
+// Depth along the optical axis in metres, row-major; NaN where there is no reading.
+struct DepthImage {
+  int width = 0;
+  int height = 0;
+  std::vector<float> depth;
+
+  float at(int u, int v) const { return depth[static_cast<std::size_t>(v) * width + u]; }
+};
+
+// Readings outside are taken as no reading, metres.
+struct DepthRange {
+  double min = 0.0;
+  double max = std::numeric_limits<double>::infinity();
+};
+
+// The points a camera saw, and the pixel each was seen in.
+struct OrganizedCloud {
+  Cloud cloud;  // in raster order; viewpoint at the camera
+  IndexImage index;
+};
+
+// The positions of a depth image's readings in the camera frame. Throws std::invalid_argument where the image's size is
+// not the camera's or the array's length is not width * height.
+OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const DepthRange& range = {});
+
+}  // namespace augicp

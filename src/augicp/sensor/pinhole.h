@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "augicp/core/types.h"
+
+namespace augicp {
+
+// A pinhole camera without distortion. Camera frame: x right, y down, z forward. Pixel (0, 0) is the centre of the
+// image's first pixel. All values in pixels.
+struct Pinhole {
+  double fx = 0.0;
+  double fy = 0.0;
+  double cx = 0.0;
+  double cy = 0.0;
+  int width = 0;  // of the images this camera makes; 0: unknown, any size fits
+  int height = 0;
+
+  // Throws std::invalid_argument unless the focal lengths are above 0 and all is finite.
+  void check() const;
+};
+
+// The camera called name ("tum-fr1", ...), or nothing.
+std::optional<Pinhole> camera_by_name(std::string_view name);
+
+// Every name that camera_by_name knows.
+std::vector<std::string> camera_names();
+
+}  // namespace augicp
