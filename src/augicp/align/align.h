@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "augicp/match/matcher.h"
+#include "augicp/objective/linearize.h"
+
+namespace augicp {
+
+struct AlignOptions {
+  InformationModel information = augmented_information();
+  Gates gates;
+
+  // K of Eq. (13): fixed where finite. Otherwise this many times the median chi2 of the pairs of each iteration, so that
+  // it is wide while the clouds lie apart and narrow when they meet.
+  double kernel_chi2 = std::numeric_limits<double>::infinity();
+  double kernel_per_median = 4.0;
+
+  // lambda of Eq. (10), as a part of the mean diagonal of H's translation and rotation block each.
+  double damping = 1e-6;
+
+  int max_iterations = 50;
+
+  // A step below both ends the loop: metres and radians.
+  double min_translation_step = 1e-5;
+  double min_rotation_step = 1e-5;
+
+  int num_threads = 0;  // 0: all the machine's
+
+  // Throws std::invalid_argument naming the first option out of its range.
+  void check() const;
+};
+
+enum class AlignStatus {
+  Converged,       // the last step was small
+  IterationLimit,  // it was not, after max_iterations
+  Degenerate,      // some direction of motion is not fixed by the data
+  TooFewPairs,     // fewer pairs than six numbers need
+  NoOverlap,       // hardly any source point has a partner
+  Diverged,        // a number stopped being finite
+};
+std::string_view name_of(AlignStatus status);
+
+struct AlignIteration {
+  Rigid3 target_from_source;  // after the iteration's step
+  std::int64_t num_pairs = 0;
+  double cost = 0.0;         // before the step
+  double kernel_chi2 = 0.0;  // K used
+};
+
+// Poses are between the clouds' frames, origins included. On failure the last pose reached is kept: it is never replaced
+// by the identity.
+struct AlignResult {
+  Rigid3 target_from_source;
+  AlignStatus status = AlignStatus::TooFewPairs;
+  int iterations = 0;
+  std::int64_t num_pairs = 0;  // at the last iteration
+  double overlap = 0.0;        // share of source points with a partner, in [0, 1]
+  double rmse = 0.0;           // of the distances within the pairs of the final pose, metres
+  Mat6d information = Mat6d::Zero();  // H of the last iteration; order tx ty tz rx ry rz, target points' frame, left
+  std::vector<AlignIteration> history;
+
+  bool succeeded() const { return status == AlignStatus::Converged || status == AlignStatus::IterationLimit; }
+};
+
+// Section 3.3: pairs, errors, weights, H and b, one damped step; again, until the step is small.
+AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
+                  const AlignOptions& options);
+
+}  // namespace augicp

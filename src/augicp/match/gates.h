@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "augicp/cloud/cloud.h"
+
+namespace augicp {
+
+// Which pairs are believed (section 4.1). Each gate is off at its default.
+struct Gates {
+  // Pairs farther apart than this are dropped, metres.
+  double max_distance = std::numeric_limits<double>::infinity();
+
+  // Pairs of planar points whose normals differ by more, and pairs of edges whose tangents do, are dropped; radians.
+  double max_angle = std::numeric_limits<double>::infinity();
+
+  // Pairs of a planar point and an edge are dropped. When kept, only their positions count (Omega^l = 0).
+  bool same_structure = false;
+
+  // Throws std::invalid_argument unless distances and angles are above 0.
+  void check() const;
+};
+
+// Whether the directions of a pair compare with their sign: normals do where both sensors' places are known.
+inline bool is_signed(Structure structure, const Cloud& source, const Cloud& target) {
+  return structure == Structure::Planar && source.viewpoint && target.viewpoint;
+}
+
+}  // namespace augicp

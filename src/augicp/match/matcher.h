@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "augicp/cloud/correspondence.h"
+#include "augicp/match/gates.h"
+#include "augicp/search/kd_tree.h"
+#include "augicp/sensor/depth_image.h"
+
+namespace augicp {
+
+// Guesses pairs under a pose; made for one target, which must outlive it. Const calls may run concurrently.
+class Matcher {
+ public:
+  virtual ~Matcher() = default;
+
+  virtual const Cloud& target() const = 0;
+
+  // The pairs, in an order that depends on the clouds only. target_from_source maps between the clouds' points, without
+  // their origins.
+  virtual std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source,
+                                            const Gates& gates, int num_threads) const = 0;
+};
+
+// The nearest target point of every source point.
+class NearestMatcher : public Matcher {
+ public:
+  explicit NearestMatcher(const Cloud& target);
+  const Cloud& target() const override { return target_; }
+  std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
+                                    int num_threads) const override;
+
+ private:
+  const Cloud& target_;
+  KdTree tree_;
+};
+
+// "Line of sight" (section 4.1): the source is projected into the target's depth image, and what is seen in a pixel is
+// paired with the target point of that pixel.
+class ProjectiveMatcher : public Matcher {
+ public:
+  ProjectiveMatcher(const OrganizedCloud& target, const Pinhole& camera);
+  const Cloud& target() const override { return target_.cloud; }
+  std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
+                                    int num_threads) const override;
+
+ private:
+  const OrganizedCloud& target_;
+  Pinhole camera_;
+};
+
+}  // namespace augicp

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/match/pair_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "augicp/core/check.h"
+
+namespace augicp {
+
+void Gates::check() const {
+  require(max_distance > 0.0, "max_distance", max_distance, "must be above 0");
+  require(max_angle > 0.0, "max_angle", max_angle, "must be above 0");
+}
+
+PairFilter::PairFilter(const Cloud& source, const Cloud& target, const Rigid3& target_from_source, const Gates& gates)
+    : source_(source),
+      target_(target),
+      rotation_(target_from_source.rotation.toRotationMatrix().cast<float>()),
+      translation_(target_from_source.translation.cast<float>()),
+      max_distance_sq_(static_cast<float>(gates.max_distance * gates.max_distance)),
+      min_cosine_(static_cast<float>(std::cos(std::min(gates.max_angle, std::numbers::pi)))),
+      compares_angles_(gates.max_angle < std::numbers::pi && source.has_directions() && target.has_directions()),
+      same_structure_(gates.same_structure && source.has_directions() && target.has_directions()),
+      signed_normals_(is_signed(Structure::Planar, source, target)) {}
+
+bool PairFilter::passes(std::uint32_t source_index, const Vec3f& moved_source, std::uint32_t target_index) const {
+  if (!((target_.points[target_index] - moved_source).squaredNorm() <= max_distance_sq_)) return false;
+  return directions_agree(source_index, target_index);
+}
+
+bool PairFilter::directions_agree(std::uint32_t source_index, std::uint32_t target_index) const {
+  if (!compares_angles_ && !same_structure_) return true;
+  const Structure of_source = source_.structures[source_index], of_target = target_.structures[target_index];
+  if (of_source != of_target) return !same_structure_ || of_source == Structure::None || of_target == Structure::None;
+  if (!compares_angles_ || of_target == Structure::None) return true;
+  const float cosine = target_.directions[target_index].dot(rotation_ * source_.directions[source_index]);
+  const bool with_sign = signed_normals_ && of_target == Structure::Planar;
+  return (with_sign ? cosine : std::abs(cosine)) >= min_cosine_;
+}
+
+}  // namespace augicp

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "augicp/geometry/rigid3.h"
+#include "augicp/match/gates.h"
+
+namespace augicp {
+
+// The gates for one pair of clouds under one pose. Both clouds must outlive it.
+class PairFilter {
+ public:
+  // target_from_source maps between the clouds' points, without their origins.
+  PairFilter(const Cloud& source, const Cloud& target, const Rigid3& target_from_source, const Gates& gates);
+
+  Vec3f moved(std::uint32_t source_index) const { return rotation_ * source_.points[source_index] + translation_; }
+  float max_distance_sq() const { return max_distance_sq_; }
+
+  // All gates; the distance is measured from the moved source point.
+  bool passes(std::uint32_t source_index, const Vec3f& moved_source, std::uint32_t target_index) const;
+
+ private:
+  bool directions_agree(std::uint32_t source_index, std::uint32_t target_index) const;
+
+  const Cloud& source_;
+  const Cloud& target_;
+  Eigen::Matrix3f rotation_;
+  Vec3f translation_;
+  float max_distance_sq_;
+  float min_cosine_;
+  bool compares_angles_;
+  bool same_structure_;
+  bool signed_normals_;
+};
+
+}  // namespace augicp

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/match/matcher.h"
+#include "augicp/match/pair_filter.h"
+#include "augicp/sensor/projection.h"
+
+namespace augicp {
+
+ProjectiveMatcher::ProjectiveMatcher(const OrganizedCloud& target, const Pinhole& camera) : target_(target), camera_(camera) {
+  camera.check();
+}
+
+std::vector<Correspondence> ProjectiveMatcher::match(const Cloud& source, const Rigid3& target_from_source,
+                                                     const Gates& gates, int num_threads) const {
+  gates.check();
+  const PairFilter filter(source, target_.cloud, target_from_source, gates);
+  const IndexImage seen =
+      project(source, target_from_source, camera_, target_.index.width, target_.index.height, num_threads);
+  std::vector<Correspondence> pairs;
+  pairs.reserve(source.size());
+  for (std::size_t pixel = 0; pixel < seen.index.size(); ++pixel) {
+    if (seen.index[pixel] == IndexImage::kNone || target_.index.index[pixel] == IndexImage::kNone) continue;
+    const auto j = static_cast<std::uint32_t>(seen.index[pixel]), i = static_cast<std::uint32_t>(target_.index.index[pixel]);
+    if (filter.passes(j, filter.moved(j), i)) pairs.push_back({j, i});
+  }
+  return pairs;
+}
+
+}  // namespace augicp

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Table 2: how much each part of a pair's error counts, as two numbers and a direction, never a stored matrix.
+#pragma once
+
+#include <array>
+
+#include "augicp/cloud/cloud.h"
+
+namespace augicp {
+
+// Omega = across * I + (along - across) d d^T, with d the unit direction of the target point.
+struct Information {
+  double along = 0.0;
+  double across = 0.0;
+};
+
+// One row of Table 2.
+struct StructureInformation {
+  Information position;   // Omega^p, per square metre
+  Information direction;  // Omega^l
+};
+
+// What the methods differ in, and all they differ in.
+struct InformationModel {
+  StructureInformation none, planar, edge;
+
+  const StructureInformation& of(Structure structure) const {
+    return structure == Structure::Planar ? planar : structure == Structure::Edge ? edge : none;
+  }
+
+  // Throws std::invalid_argument unless every number is finite and at least 0.
+  void check() const;
+};
+
+// The softening of Table 2: information of a plane across its normal, and of an edge along its tangent, is this part of
+// the other.
+inline constexpr double kTable2Epsilon = 1e-3;
+
+InformationModel point_information();                                      // ICP: every direction counts alike
+InformationModel plane_information();                                      // distance to the plane or to the edge only
+InformationModel gicp_information(double epsilon = kTable2Epsilon);        // Omega^p of Table 2, Omega^l = 0
+InformationModel augmented_information(double epsilon = kTable2Epsilon);   // Table 2 as printed
+
+// Omega^l scaled to lengths: an error of the direction by one radian counts as much as one of the position by lever
+// metres, in the direction each knows best. Table 2 as printed is a lever of 1 m, whatever the size of the scene.
+InformationModel augmented_information(double epsilon, double normal_lever_m, double tangent_lever_m);
+
+}  // namespace augicp

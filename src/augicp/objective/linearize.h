@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "augicp/cloud/correspondence.h"
+#include "augicp/objective/information.h"
+
+namespace augicp {
+
+// The quadratic that stands for the objective around a pose, Eq. (14), for the increment of geometry/rigid3.h:
+// translation first, rotation vector second, target frame.
+struct NormalEquations {
+  Mat6d H = Mat6d::Zero();
+  Vec6d b = Vec6d::Zero();
+  double cost = 0.0;  // half the sum of the robust losses; b is its gradient
+  std::int64_t num_pairs = 0;
+};
+
+// Eq. (8) with the robust weight of Eq. (13).
+struct Objective {
+  InformationModel information;
+
+  // K: a pair whose chi2 is above counts with gamma = K / chi2. In units of chi2, above 0.
+  double kernel_chi2 = std::numeric_limits<double>::infinity();
+};
+
+// H, b and cost over the pairs. Points of both clouds are taken without their origins. A linear part counts where both
+// points of a pair have the same structure; a tangent, and a normal unless both sensors' places are known, is compared
+// without its sign. Sums are the same for any number of threads.
+NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                          const Rigid3& target_from_source, const Objective& objective, int num_threads);
+
+// chi2 = e^T Omega e of every pair, before the robust weight.
+std::vector<float> chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                                 const Rigid3& target_from_source, const InformationModel& information, int num_threads);
+
+}  // namespace augicp

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/search/kd_tree.h"
+
+#include <nanoflann.hpp>
+
+namespace augicp {
+namespace {
+
+constexpr std::size_t kLeafSize = 16;
+
+// What nanoflann asks of a data set.
+struct PointAdaptor {
+  const std::vector<Vec3f>& points;
+
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  float kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][static_cast<Eigen::Index>(axis)]; }
+  template <typename Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+
+using Tree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointAdaptor>, PointAdaptor, 3, std::uint32_t>;
+
+// Appends every neighbour to a buffer of ours: nanoflann's own result set would allocate a new one for each query.
+struct BallResultSet {
+  using DistanceType = float;
+  using IndexType = std::uint32_t;
+  float radius_sq;
+  std::vector<Neighbour>& found;
+
+  std::size_t size() const { return found.size(); }
+  bool full() const { return true; }
+  bool addPoint(float distance_sq, std::uint32_t index) {
+    if (distance_sq < radius_sq) found.push_back({index, distance_sq});
+    return true;
+  }
+  float worstDist() const { return radius_sq; }
+};
+
+}  // namespace
+
+struct KdTree::Index {
+  explicit Index(const Cloud& cloud)
+      : adaptor{cloud.points}, tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize)) {
+    if (!cloud.empty()) tree.buildIndex();
+  }
+  PointAdaptor adaptor;
+  Tree tree;
+};
+
+KdTree::KdTree(const Cloud& cloud) : index_(std::make_unique<Index>(cloud)) {}
+KdTree::~KdTree() = default;
+KdTree::KdTree(KdTree&&) noexcept = default;
+KdTree& KdTree::operator=(KdTree&&) noexcept = default;
+
+std::optional<Neighbour> KdTree::nearest(const Vec3f& query, float max_distance_sq) const {
+  if (index_->adaptor.points.empty()) return std::nullopt;
+  Neighbour best;
+  nanoflann::KNNResultSet<float, std::uint32_t> result(1);
+  result.init(&best.index, &best.distance_sq);
+  // The result set prunes by its worst distance: starting it at the gate skips all that lies beyond.
+  best.distance_sq = max_distance_sq;
+  index_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
+  if (result.size() == 0 || !(best.distance_sq < max_distance_sq)) return std::nullopt;
+  return best;
+}
+
+std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count) const {
+  if (index_->adaptor.points.empty() || count == 0) return {};
+  std::vector<std::uint32_t> indices(count);
+  std::vector<float> distances_sq(count);
+  const std::size_t num_found = index_->tree.knnSearch(query.data(), count, indices.data(), distances_sq.data());
+  std::vector<Neighbour> found(num_found);
+  for (std::size_t k = 0; k < num_found; ++k) found[k] = {indices[k], distances_sq[k]};
+  return found;
+}
+
+void KdTree::within(const Vec3f& query, float radius_sq, std::vector<Neighbour>& found) const {
+  found.clear();
+  if (index_->adaptor.points.empty()) return;
+  BallResultSet result{radius_sq, found};
+  index_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
+}
+
+}  // namespace augicp

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "augicp/cloud/cloud.h"
+
+namespace augicp {
+
+struct Neighbour {
+  std::uint32_t index = 0;
+  float distance_sq = 0.0f;
+};
+
+// Nearest neighbours among the points of a cloud, which must outlive the tree and stay as it is. Queries are relative to
+// the cloud's origin, as its points are, and may run concurrently.
+class KdTree {
+ public:
+  explicit KdTree(const Cloud& cloud);
+  ~KdTree();
+  KdTree(KdTree&&) noexcept;
+  KdTree& operator=(KdTree&&) noexcept;
+
+  // The nearest point at a distance below the square root of max_distance_sq, if there is one.
+  std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq) const;
+
+  // The count nearest points, nearest first; fewer where the cloud has fewer.
+  std::vector<Neighbour> nearest_k(const Vec3f& query, std::size_t count) const;
+
+  // Fills found with every point at a distance below the square root of radius_sq, in no particular order that depends
+  // on anything but the cloud. An out-argument, so that a loop over many queries reuses one buffer.
+  void within(const Vec3f& query, float radius_sq, std::vector<Neighbour>& found) const;
+
+ private:
+  struct Index;
+  std::unique_ptr<Index> index_;
+};
+
+}  // namespace augicp

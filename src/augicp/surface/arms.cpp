@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/surface/arms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace augicp {
+namespace {
+
+bool is_step(const Vec3f& a, const Vec3f& b, int pixels_between, double max_step_per_depth) {
+  const double allowed = max_step_per_depth * std::min(a.z(), b.z()) * pixels_between;
+  return std::abs(static_cast<double>(a.z()) - static_cast<double>(b.z())) > allowed;
+}
+
+}  // namespace
+
+double ball_radius(const Vec3f& point, const WindowOptions& options) {
+  return std::max(options.radius, options.radius_per_depth * static_cast<double>(point.z()));
+}
+
+Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, int which, double max_step_per_depth) {
+  Line line;
+  const int length = along_rows ? index.width : index.height;
+  std::int32_t run = 0;
+  for (int k = 0; k < length; ++k) {
+    const std::int32_t point = along_rows ? index.at(k, which) : index.at(which, k);
+    if (point == IndexImage::kNone) continue;
+    if (!line.point.empty() && is_step(cloud.points[line.point.back()], cloud.points[point], k - line.position.back(),
+                                       max_step_per_depth))
+      ++run;
+    line.position.push_back(k);
+    line.point.push_back(point);
+    line.run.push_back(run);
+  }
+  return line;
+}
+
+Reach reach_along(const Line& line, const Cloud& cloud, const std::vector<double>& half_side) {
+  const auto count = static_cast<std::int32_t>(line.point.size());
+  Reach reach{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
+  for (std::int32_t i = 0; i < count; ++i) {
+    const Vec3f& centre = cloud.points[line.point[i]];
+    const double limit = half_side[line.point[i]];
+    const auto belongs = [&](std::int32_t k) {
+      return k >= 0 && k < count && line.run[k] == line.run[i] &&
+             static_cast<double>((cloud.points[line.point[k]] - centre).squaredNorm()) <= limit * limit;
+    };
+    // Neighbouring entries reach about as far, so the search starts where the last one ended: constant time on average.
+    std::int32_t first = i == 0 ? i : std::min(reach.first[i - 1], i), last = i == 0 ? i : std::max(reach.last[i - 1], i);
+    while (!belongs(first)) ++first;
+    while (belongs(first - 1)) --first;
+    while (!belongs(last)) --last;
+    while (belongs(last + 1)) ++last;
+    reach.first[i] = first;
+    reach.last[i] = last;
+  }
+  return reach;
+}
+
+}  // namespace augicp

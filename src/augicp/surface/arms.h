@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "augicp/cloud/cloud.h"
+#include "augicp/cloud/index_image.h"
+#include "augicp/surface/window_neighbourhood.h"
+
+namespace augicp {
+
+// Half the side of the square with the area of a unit disc.
+inline constexpr double kSquareHalfSide = 0.886226925452758;
+
+// The radius of the ball around a point of a depth image.
+double ball_radius(const Vec3f& point, const WindowOptions& options);
+
+// The pixels of one row or column that hold a point, in order, cut into runs without a discontinuity.
+struct Line {
+  std::vector<std::int32_t> position;  // pixel along the line
+  std::vector<std::int32_t> point;     // index into the cloud
+  std::vector<std::int32_t> run;       // number of the run
+};
+
+// Line `which` of the image: row (along_rows) or column. A missing reading does not end a run, a step in depth does.
+Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, int which, double max_step_per_depth);
+
+// For every entry of the line, the first and last entry of its run within half_side (per entry, metres) of it.
+struct Reach {
+  std::vector<std::int32_t> first, last;
+};
+Reach reach_along(const Line& line, const Cloud& cloud, const std::vector<double>& half_side);
+
+}  // namespace augicp

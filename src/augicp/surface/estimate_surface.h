@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "augicp/cloud/cloud.h"
+#include "augicp/surface/neighbourhood.h"
+#include "augicp/surface/shape.h"
+
+namespace augicp {
+
+enum class Classifier {
+  Normals,      // the default: see shape_of_normals
+  Eigenvalues,  // the paper: see shape_of_points
+};
+
+struct SurfaceOptions {
+  Classifier classifier = Classifier::Normals;
+  ShapeThresholds thresholds;
+};
+
+// Section 4.1: direction and structure of every point, from the points near it. Normals point to the cloud's viewpoint
+// where that is known. Directions that the cloud had are replaced.
+void estimate_surface(Cloud& cloud, const Neighbourhood& neighbourhood, const SurfaceOptions& options, int num_threads);
+
+}  // namespace augicp
