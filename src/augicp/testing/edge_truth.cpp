@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace augicp::testing {
 namespace {
@@ -57,13 +56,11 @@ void add_visible_pieces(const Rendering& seen, const Crease& crease, double radi
   const Vec3d along = crease.end - crease.begin;
   const int num_pieces = std::max(1, static_cast<int>(std::ceil(along.norm() / kPieceLength)));
   const auto point_at = [&](double piece) { return Vec3d(crease.begin + piece / num_pieces * along); };
-  std::optional<int> first;
-  for (int piece = 0; piece <= num_pieces; ++piece) {
-    const bool visible = piece < num_pieces && both_seen_near(seen, crease, point_at(piece + 0.5), radius);
-    if (visible && !first) first = piece;
-    if (visible || !first) continue;
-    pieces.push_back({point_at(*first), point_at(piece), crease.first_surface, crease.second_surface});
-    first.reset();
+  const auto visible = [&](int piece) { return both_seen_near(seen, crease, point_at(piece + 0.5), radius); };
+  for (int begin = 0, end = 0; begin < num_pieces; begin = end + 1) {
+    for (end = begin; end < num_pieces && visible(end);) ++end;
+    if (end == begin) continue;
+    pieces.push_back({point_at(begin), point_at(end), crease.first_surface, crease.second_surface});
   }
 }
 
