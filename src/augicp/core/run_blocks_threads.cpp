@@ -26,9 +26,9 @@ void run_blocks(std::size_t num_blocks, int num_threads, const std::function<voi
     }
   };
   // At least two, also on a machine with one core: a race needs no second core to be seen.
-  const int count = num_threads == 0 ? std::max(2, static_cast<int>(std::thread::hardware_concurrency())) : num_threads;
+  const std::size_t wanted = num_threads == 0 ? std::max(2u, std::thread::hardware_concurrency()) : num_threads;
   std::vector<std::thread> threads;
-  for (int i = 0; i < count; ++i) threads.emplace_back(work);
+  for (std::size_t i = 0; i < std::min(wanted, num_blocks); ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);
 }
