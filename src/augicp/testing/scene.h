@@ -2,7 +2,6 @@
 // A generated scene: surfaces, the true creases between them, and a place to look from.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "augicp/geometry/rigid3.h"
