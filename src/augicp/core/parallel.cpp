@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/core/parallel.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 
 #include "augicp/core/check.h"
+#include "augicp/core/run_blocks.h"
 
 namespace augicp {
 
@@ -21,9 +19,7 @@ void for_each_block(std::size_t count, int num_threads, const std::function<void
     for (std::size_t block = 0; block < num_blocks; ++block) run_block(block);
     return;
   }
-  // An arena of our own: the caller's thread limit holds for this loop only, and nothing global changes.
-  tbb::task_arena arena(num_threads == 0 ? tbb::task_arena::automatic : num_threads);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, num_blocks, run_block, tbb::simple_partitioner{}); });
+  run_blocks(num_blocks, num_threads, run_block);
 }
 
 }  // namespace augicp

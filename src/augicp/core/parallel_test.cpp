@@ -45,6 +45,12 @@ TEST(Parallel, ExceptionReachesTheCaller) {
   EXPECT_THROW(for_each_block(10 * kBlockSize, 2, fail), std::runtime_error);
 }
 
+TEST(Parallel, MoreThreadsThanThereAreIsSilent) {
+  ::testing::internal::CaptureStderr();
+  for_each_block(4 * kBlockSize, 1000, [](std::size_t, std::size_t) {});
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(Parallel, NegativeThreadCountIsRefused) {
   EXPECT_THROW(for_each_block(1, -1, [](std::size_t, std::size_t) {}), std::invalid_argument);
 }

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+# Installs the library, its public headers and a package, so that find_package(augicp) gives augicp::augicp.
+include(CMakePackageConfigHelpers)
+
+set(AUGICP_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/augicp)
+
+# The lines with which a package file finds these imported targets: Package::target comes from find_package(Package), and
+# PkgConfig::module from pkg-config. So a module that links something new needs no change here.
+function(augicp_find_lines result)
+  set(lines "")
+  foreach(library IN LISTS ARGN)
+    if(library MATCHES "^PkgConfig::(.+)$")
+      string(APPEND lines "find_dependency(PkgConfig)\n"
+        "pkg_check_modules(${CMAKE_MATCH_1} QUIET REQUIRED IMPORTED_TARGET ${CMAKE_MATCH_1})\n")
+    elseif(library MATCHES "^(.+)::")
+      string(APPEND lines "find_dependency(${CMAKE_MATCH_1})\n")
+    endif()
+  endforeach()
+  set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+
+set(AUGICP_FIND_PRIVATE_LIBRARIES "")
+get_target_property(augicp_type augicp TYPE)
+if(augicp_type STREQUAL "STATIC_LIBRARY")
+  get_property(augicp_private_libraries GLOBAL PROPERTY AUGICP_PRIVATE_LIBRARIES)
+  list(REMOVE_DUPLICATES augicp_private_libraries)
+  augicp_find_lines(AUGICP_FIND_PRIVATE_LIBRARIES ${augicp_private_libraries})
+endif()
+
+configure_package_config_file(cmake/augicpConfig.cmake.in ${PROJECT_BINARY_DIR}/augicpConfig.cmake
+  INSTALL_DESTINATION ${AUGICP_INSTALL_CMAKEDIR})
+# Below 1.0 a minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/augicpConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+
+# A component of its own: a package of the library needs no command, and the test of it no complete build.
+install(TARGETS augicp EXPORT augicpTargets COMPONENT development)
+install(EXPORT augicpTargets NAMESPACE augicp:: DESTINATION ${AUGICP_INSTALL_CMAKEDIR} COMPONENT development)
+install(FILES ${PROJECT_BINARY_DIR}/augicpConfig.cmake ${PROJECT_BINARY_DIR}/augicpConfigVersion.cmake
+  DESTINATION ${AUGICP_INSTALL_CMAKEDIR} COMPONENT development)
+get_property(augicp_headers GLOBAL PROPERTY AUGICP_HEADERS)
+foreach(header IN LISTS augicp_headers)
+  get_filename_component(module ${header} DIRECTORY)
+  install(FILES src/augicp/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/augicp/${module} COMPONENT development)
+endforeach()

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Scenes ready to be rendered, each with its true creases and a camera 1 to 3 m away from what matters. World: z up,
+// metres.
+#pragma once
+
+#include "augicp/testing/scene.h"
+
+namespace augicp::testing {
+
+// A box turned on a table top; nothing behind the table.
+Scene box_on_table();
+
+// A floor and two walls.
+Scene room_corner();
+
+// A closed room of 5 x 4 x 2.6 m with boxes, two columns, a pipe and a table; sizes and places drawn from the seed.
+Scene room(unsigned seed = 1);
+
+// Two wires with a radius of 5 mm, 1 m in front of the camera: an upright one 1 m before a wall, and a slanting one
+// with nothing behind it.
+Scene wire();
+
+// A board that floats 0.4 m before a wall: depth jumps all around it, and there is no crease.
+Scene depth_step();
+
+// A wall that fills the view, seen askew: three of the six motions leave it as it is.
+Scene single_plane();
+
+// Two parallel walls side by side, one 0.5 m nearer than the other: a jump, no crease, three motions unseen.
+Scene two_parallel_planes();
+
+// Walls, floor and ceiling that run on beyond the view: the motion along them is unseen.
+Scene corridor();
+
+// A sphere with a radius of 0.5 m: all turns about its centre are unseen.
+Scene sphere_scene();
+
+// An upright cylinder with a radius of 0.3 m that runs beyond the view: the turn about it and the shift along it are
+// unseen.
+Scene cylinder_scene();
+
+}  // namespace augicp::testing

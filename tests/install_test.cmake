@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+# Installs the library into an empty prefix, then builds and runs tests/consumer against it, as a stranger would.
+#   cmake -DSOURCE=... -DBUILD=... -DWORK=... -DCOMPILER=... [-DSHARED=ON] -P install_test.cmake
+# With SHARED the library is first built as a shared one in WORK/build; otherwise BUILD is installed as it is.
+cmake_minimum_required(VERSION 3.22)
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+set(cxx -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release)
+if(SHARED)
+  set(BUILD ${WORK}/build)
+  run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G Ninja ${cxx} -DBUILD_SHARED_LIBS=ON
+    -DAUGICP_BUILD_TESTS=OFF -DAUGICP_BUILD_APPS=OFF -DAUGICP_BUILD_EXAMPLES=OFF)
+  run(${CMAKE_COMMAND} --build ${BUILD} --target augicp)
+endif()
+
+set(prefix ${WORK}/prefix)
+file(REMOVE_RECURSE ${prefix} ${WORK}/consumer)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component development)
+
+# A public header that includes one which is not installed fails here.
+file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/augicp/*.h)
+list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n")
+list(JOIN headers "" all_headers)
+file(WRITE ${WORK}/all_headers.cpp "${all_headers}")
+
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${WORK}/consumer -G Ninja ${cxx} -DCMAKE_PREFIX_PATH=${prefix}
+  -DALL_HEADERS_SOURCE=${WORK}/all_headers.cpp)
+run(${CMAKE_COMMAND} --build ${WORK}/consumer)
+run(${WORK}/consumer/consumer)
