@@ -17,7 +17,8 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 std::uint64_t checked_size(const std::filesystem::path& path, std::uint64_t max_bytes) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw io_error(path, error ? error.message() : "no such file");
+  if (status.type() == std::filesystem::file_type::not_found) throw io_error(path, "no such file");
+  if (!std::filesystem::exists(status)) throw io_error(path, error.message());
   if (std::filesystem::is_directory(status)) throw io_error(path, "expected a file, found a directory");
   if (!std::filesystem::is_regular_file(status)) throw io_error(path, "expected a regular file");
   const std::uint64_t size = std::filesystem::file_size(path, error);
