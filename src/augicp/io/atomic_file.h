@@ -8,8 +8,8 @@
 namespace augicp {
 
 // A file that appears whole or not at all. Bytes go to a temporary file in the same folder, which takes the place of
-// path on commit(); without commit() nothing is left behind. What is not a regular file (a pipe, /dev/stdout) is written
-// directly. Every failure, a full disk too, is an IoError. Not for concurrent use.
+// path on commit(); without commit() nothing is left behind. What is not a regular file (a pipe, /dev/stdout) is
+// written directly. Every failure, a full disk too, is an IoError. Not for concurrent use.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& path);

@@ -107,7 +107,8 @@ CloudFile build_cloud(const FileBytes& file, const PointTable& table,
   decode_points(*builder);
   const std::uint64_t num_points = builder->file_.report.num_declared;
   if (num_points == 0) throw io_error(file.path, "holds no points");
-  if (builder->file_.cloud.empty()) throw io_error(file.path, fmt::format("none of its {} points is finite", num_points));
+  if (builder->file_.cloud.empty())
+    throw io_error(file.path, fmt::format("none of its {} points is finite", num_points));
   if (const Vec3d origin = builder->suitable_origin(); !origin.isZero(0.0)) {
     builder.emplace(table, origin);
     decode_points(*builder);

@@ -23,7 +23,8 @@ using PointValues = std::array<double, kNumRoles>;
 // For each role the column that holds it.
 inline constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 struct PointColumns {
-  std::array<std::size_t, kNumRoles> of_role{kNoColumn, kNoColumn, kNoColumn, kNoColumn, kNoColumn, kNoColumn, kNoColumn};
+  std::array<std::size_t, kNumRoles> of_role{kNoColumn, kNoColumn, kNoColumn, kNoColumn,
+                                             kNoColumn, kNoColumn, kNoColumn};
 
   bool has_normals() const { return of_role[3] != kNoColumn; }
 };

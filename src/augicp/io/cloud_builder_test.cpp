@@ -68,7 +68,8 @@ TEST(CloudBuilder, DropsAndCountsWhatIsNotFinite) {
   const double infinity = std::numeric_limits<double>::infinity();
   PointTable table;
   table.width = 2;
-  const CloudFile file = build({{1, 2, 3}, {kNan, 0, 0}, {0, infinity, 0}, {0, 0, -1e308}, {1e-310, 0, 0}, {0, 0, 1e19}}, table);
+  const CloudFile file =
+      build({{1, 2, 3}, {kNan, 0, 0}, {0, infinity, 0}, {0, 0, -1e308}, {1e-310, 0, 0}, {0, 0, 1e19}}, table);
   EXPECT_EQ(file.cloud.points, (std::vector<Vec3f>{{1, 2, 3}, {0, 0, 0}}));
   EXPECT_EQ(file.report.num_declared, 6u);
   EXPECT_EQ(file.report.num_not_finite, 4u);

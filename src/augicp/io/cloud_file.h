@@ -14,8 +14,8 @@ namespace augicp {
 struct ReadOptions {
   std::uint64_t max_points = 100'000'000;  // files that declare or hold more are refused
 
-  // Numbers a point in a .bin file, of float32 each: KITTI's 4 (x y z intensity), or 3 for bare positions. The file does
-  // not say.
+  // Numbers a point in a .bin file, of float32 each: KITTI's 4 (x y z intensity), or 3 for bare positions. The file
+  // does not say.
   int num_bin_columns = 4;
 };
 
@@ -29,8 +29,8 @@ struct ReadReport {
 
 // A cloud and what its file said about it.
 //
-// Coordinates are read as double and kept relative to cloud.origin. The origin is zero unless the cloud lies more than 8
-// times farther from zero than its points lie from each other. Normals become unit directions of Structure::Planar,
+// Coordinates are read as double and kept relative to cloud.origin. The origin is zero unless the cloud lies more than
+// 8 times farther from zero than its points lie from each other. Normals become unit directions of Structure::Planar,
 // turned to the viewpoint where there is one; where a file gives no usable normal the structure is None.
 struct CloudFile {
   Cloud cloud;                     // never empty, every point finite

@@ -54,7 +54,8 @@ IoError io_error_at_byte(const std::filesystem::path& path, std::uint64_t byte, 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMaxLength = 40;
   std::string shown(text.substr(0, kMaxLength));
-  std::replace_if(shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return "'" + shown + (text.size() > kMaxLength ? "...'" : "'");
 }
 

@@ -12,9 +12,9 @@ namespace augicp {
 namespace {
 
 TEST(ParseNumber, ReadsEverySpellingFilesUse) {
-  const std::pair<const char*, double> cases[] = {{"0", 0.0},       {"-1.5", -1.5},   {"+2", 2.0},     {".25", 0.25},
-                                                  {"3.", 3.0},      {"1e3", 1000.0},  {"1E-3", 0.001}, {"000", 0.0},
-                                                  {"-0.0", -0.0},   {"1e308", 1e308}, {"+.5", 0.5},    {"5e-324", 5e-324},
+  const std::pair<const char*, double> cases[] = {{"0", 0.0},     {"-1.5", -1.5},   {"+2", 2.0},     {".25", 0.25},
+                                                  {"3.", 3.0},    {"1e3", 1000.0},  {"1E-3", 0.001}, {"000", 0.0},
+                                                  {"-0.0", -0.0}, {"1e308", 1e308}, {"+.5", 0.5},    {"5e-324", 5e-324},
                                                   {"1e-400", 0.0}};
   for (const auto& [text, value] : cases) {
     const auto parsed = parse_double(text);

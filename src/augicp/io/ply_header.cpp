@@ -17,11 +17,11 @@ namespace {
 constexpr std::size_t kMaxHeaderLine = 64 * 1024;
 
 constexpr std::pair<std::string_view, ScalarType> kTypeNames[] = {
-    {"char", ScalarType::Int8},     {"int8", ScalarType::Int8},       {"uchar", ScalarType::Uint8},
-    {"uint8", ScalarType::Uint8},   {"short", ScalarType::Int16},     {"int16", ScalarType::Int16},
-    {"ushort", ScalarType::Uint16}, {"uint16", ScalarType::Uint16},   {"int", ScalarType::Int32},
-    {"int32", ScalarType::Int32},   {"uint", ScalarType::Uint32},     {"uint32", ScalarType::Uint32},
-    {"float", ScalarType::Float32}, {"float32", ScalarType::Float32}, {"double", ScalarType::Float64},
+    {"char", ScalarType::Int8},      {"int8", ScalarType::Int8},       {"uchar", ScalarType::Uint8},
+    {"uint8", ScalarType::Uint8},    {"short", ScalarType::Int16},     {"int16", ScalarType::Int16},
+    {"ushort", ScalarType::Uint16},  {"uint16", ScalarType::Uint16},   {"int", ScalarType::Int32},
+    {"int32", ScalarType::Int32},    {"uint", ScalarType::Uint32},     {"uint32", ScalarType::Uint32},
+    {"float", ScalarType::Float32},  {"float32", ScalarType::Float32}, {"double", ScalarType::Float64},
     {"float64", ScalarType::Float64}};
 
 constexpr std::pair<std::string_view, PlyEncoding> kEncodingNames[] = {
@@ -138,7 +138,8 @@ class HeaderParser {
 }  // namespace
 
 bool PlyElement::has_lists() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.list_length.has_value(); });
+  return std::any_of(properties.begin(), properties.end(),
+                     [](const PlyProperty& p) { return p.list_length.has_value(); });
 }
 
 std::uint64_t PlyElement::stride() const {

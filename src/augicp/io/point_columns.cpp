@@ -26,7 +26,8 @@ std::string lower_case(std::string_view text) {
 
 void drop_partial_normals(PointColumns& columns) {
   const auto normal = std::span(columns.of_role).subspan(3, 3);
-  if (std::find(normal.begin(), normal.end(), kNoColumn) != normal.end()) std::fill(normal.begin(), normal.end(), kNoColumn);
+  if (std::find(normal.begin(), normal.end(), kNoColumn) != normal.end())
+    std::fill(normal.begin(), normal.end(), kNoColumn);
 }
 
 }  // namespace

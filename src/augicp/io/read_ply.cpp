@@ -18,8 +18,9 @@ namespace {
 using Elements = std::span<const PlyElement>;
 
 IoError cut_short(const FileBytes& file, const PlyElement& element) {
-  return io_error_at_byte(file.path, file.bytes.size(),
-                          fmt::format("expected {} of element {}, the file ends here", element.count, in_quotes(element.name)));
+  return io_error_at_byte(
+      file.path, file.bytes.size(),
+      fmt::format("expected {} of element {}, the file ends here", element.count, in_quotes(element.name)));
 }
 
 // ---- binary bodies
@@ -93,8 +94,9 @@ void skip_text_record(const FileBytes& file, const PlyElement& element, std::str
   const auto take = [&] {
     const auto field = next_field(rest);
     if (!field)
-      throw io_error_at_line(file.path, number,
-                             fmt::format("expected more values of element {}, found {}", in_quotes(element.name), in_quotes(line)));
+      throw io_error_at_line(
+          file.path, number,
+          fmt::format("expected more values of element {}, found {}", in_quotes(element.name), in_quotes(line)));
     return *field;
   };
   for (const PlyProperty& property : element.properties) {
@@ -146,7 +148,8 @@ CloudFile read_text(const FileBytes& file, const PlyHeader& header, Elements bef
 void check_no_lists(const FileBytes& file, const PlyElement& vertex) {
   for (const PlyProperty& property : vertex.properties)
     if (property.list_length)
-      throw io_error(file.path, fmt::format("expected single numbers of element 'vertex', found the list {}", in_quotes(property.name)));
+      throw io_error(file.path, fmt::format("expected single numbers of element 'vertex', found the list {}",
+                                            in_quotes(property.name)));
 }
 
 }  // namespace
@@ -154,7 +157,8 @@ void check_no_lists(const FileBytes& file, const PlyElement& vertex) {
 CloudFile parse_ply(const FileBytes& file, const ReadOptions& options) {
   const PlyHeader header = parse_ply_header(file);
   const Elements elements(header.elements);
-  const auto vertex = std::find_if(elements.begin(), elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
+  const auto vertex =
+      std::find_if(elements.begin(), elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
   if (vertex == elements.end()) throw io_error(file.path, "expected an element 'vertex', found none");
   check_num_points(file.path, vertex->count, options);
   check_no_lists(file, *vertex);

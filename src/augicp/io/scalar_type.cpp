@@ -29,16 +29,26 @@ std::size_t num_bytes(ScalarType type) {
 
 double read_scalar(const char* bytes, ScalarType type, ByteOrder order) {
   switch (type) {
-    case ScalarType::Int8: return read_as<std::int8_t>(bytes, order);
-    case ScalarType::Uint8: return read_as<std::uint8_t>(bytes, order);
-    case ScalarType::Int16: return read_as<std::int16_t>(bytes, order);
-    case ScalarType::Uint16: return read_as<std::uint16_t>(bytes, order);
-    case ScalarType::Int32: return read_as<std::int32_t>(bytes, order);
-    case ScalarType::Uint32: return read_as<std::uint32_t>(bytes, order);
-    case ScalarType::Int64: return read_as<std::int64_t>(bytes, order);
-    case ScalarType::Uint64: return read_as<std::uint64_t>(bytes, order);
-    case ScalarType::Float32: return read_as<float>(bytes, order);
-    case ScalarType::Float64: return read_as<double>(bytes, order);
+    case ScalarType::Int8:
+      return read_as<std::int8_t>(bytes, order);
+    case ScalarType::Uint8:
+      return read_as<std::uint8_t>(bytes, order);
+    case ScalarType::Int16:
+      return read_as<std::int16_t>(bytes, order);
+    case ScalarType::Uint16:
+      return read_as<std::uint16_t>(bytes, order);
+    case ScalarType::Int32:
+      return read_as<std::int32_t>(bytes, order);
+    case ScalarType::Uint32:
+      return read_as<std::uint32_t>(bytes, order);
+    case ScalarType::Int64:
+      return read_as<std::int64_t>(bytes, order);
+    case ScalarType::Uint64:
+      return read_as<std::uint64_t>(bytes, order);
+    case ScalarType::Float32:
+      return read_as<float>(bytes, order);
+    case ScalarType::Float64:
+      return read_as<double>(bytes, order);
   }
   assert(false);
   return 0.0;

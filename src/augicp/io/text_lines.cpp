@@ -52,8 +52,7 @@ std::optional<std::string_view> next_field(std::string_view& rest, char separato
   const std::size_t begin = std::min(rest.find_first_not_of(kBlanks), rest.size());
   rest.remove_prefix(begin);
   if (rest.empty()) return std::nullopt;
-  const std::size_t end =
-      std::min(separator == ' ' ? rest.find_first_of(kBlanks) : rest.find(separator), rest.size());
+  const std::size_t end = std::min(separator == ' ' ? rest.find_first_of(kBlanks) : rest.find(separator), rest.size());
   const std::string_view field = trimmed(rest.substr(0, end));
   rest.remove_prefix(std::min(end + 1, rest.size()));
   return field;

@@ -20,8 +20,8 @@ class TextLines {
   // The same for the next line that is not blank.
   std::optional<std::string_view> next_not_blank();
 
-  std::uint64_t line() const { return line_; }     // number of the line given last, from 1
-  std::size_t offset() const { return offset_; }   // of the next line in the text
+  std::uint64_t line() const { return line_; }    // number of the line given last, from 1
+  std::size_t offset() const { return offset_; }  // of the next line in the text
   bool at_end() const { return offset_ >= text_.size(); }
 
  private:

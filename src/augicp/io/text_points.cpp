@@ -46,8 +46,8 @@ class LineParser {
     const std::size_t expected = exact ? points_.num_columns : roles_.size();
     if (column < expected || (exact && column > expected))
       throw io_error_at_line(file_.path, number,
-                             fmt::format("expected {}{} values, found {}: {}", exact ? "" : "at least ", expected, column,
-                                         in_quotes(line)));
+                             fmt::format("expected {}{} values, found {}: {}", exact ? "" : "at least ", expected,
+                                         column, in_quotes(line)));
     return values_;
   }
 
