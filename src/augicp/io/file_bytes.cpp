@@ -39,6 +39,13 @@ FileBytes read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes)
   return file;
 }
 
+std::string lower_case_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
 IoError io_error(const std::filesystem::path& path, std::string_view what) {
   return IoError(fmt::format("{}: {}", path.string(), what));
 }

@@ -4,7 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "augicp/io/read_kitti.h"
+#include "augicp/io/read_npy.h"
+#include "augicp/io/read_pcd.h"
 #include "augicp/io/read_ply.h"
+#include "augicp/io/read_xyz.h"
 
 namespace augicp {
 namespace {
@@ -14,14 +18,8 @@ struct Format {
   CloudFile (*parse)(const FileBytes&, const ReadOptions&);
 };
 
-constexpr Format kFormats[] = {{".ply", parse_ply}};
-
-std::string lower_case_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
+constexpr Format kFormats[] = {{".ply", parse_ply}, {".pcd", parse_pcd}, {".xyz", parse_xyz},   {".txt", parse_xyz},
+                               {".csv", parse_xyz}, {".pts", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy}};
 
 const Format& format_of(const std::filesystem::path& path) {
   const std::string extension = lower_case_extension(path);
