@@ -45,7 +45,7 @@ Layout layout_of(const FileBytes& file) {
   std::string_view rest = line;
   const std::string_view first = next_field(rest, separator_of(line)).value_or("");
   const bool is_header = !line.empty() && !parse_double(first);
-  layout.declared = num_fields(line) == 1 ? parse_count(first) : std::nullopt;
+  layout.declared = num_fields(line, separator_of(line)) == 1 ? parse_count(first) : std::nullopt;
   if (is_header) layout.points.columns = find_columns(file.path, column_names(line));
   if (layout.declared) layout.points.num_points = *layout.declared;
   if (is_header || layout.declared) {
