@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/atomic_file.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "augicp/io/file_bytes.h"
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {
@@ -43,8 +43,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), target_
 }
 
 AtomicFile::~AtomicFile() {
-  if (stream_ == nullptr) return;
-  std::fclose(stream_);
+  if (stream_ != nullptr) std::fclose(stream_);
   std::error_code ignored;
   if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
 }
@@ -54,13 +53,13 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
-  if (std::fflush(stream_) != 0) fail("cannot be written");
+  // Some file systems tell of a full disk only when the file is closed.
+  if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail("cannot be written");
+  if (temporary_.empty()) return;
   std::error_code error;
-  if (!temporary_.empty()) std::filesystem::rename(temporary_, target_, error);
+  std::filesystem::rename(temporary_, target_, error);
   if (error) throw io_error(path_, "cannot be written: " + error.message());
   temporary_.clear();
-  std::FILE* const stream = std::exchange(stream_, nullptr);
-  if (std::fclose(stream) != 0) fail("cannot be written");
 }
 
 void AtomicFile::fail(std::string_view what) const {

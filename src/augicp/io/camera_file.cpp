@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/camera_file.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <array>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "augicp/io/format.h"
+#include "augicp/io/json_numbers.h"
 #include "augicp/io/number_list.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_lines.h"
@@ -30,31 +28,25 @@ Pinhole from_numbers(std::string_view text) {
   throw std::invalid_argument(fmt::format("camera: expected fx fy cx cy or a 3x3 matrix, found {} numbers", n.size()));
 }
 
-int image_side(const nlohmann::json& json, const char* key) {
-  constexpr int kMaxSide = 1 << 20;
-  const auto side = json.find(key);
-  if (side == json.end()) return 0;
-  if (!side->is_number_integer() || *side < 0 || *side > kMaxSide)
-    throw std::invalid_argument(
-        fmt::format("camera: expected \"{}\" in pixels, found {}", key, in_quotes(side->dump())));
-  return side->get<int>();
+int image_side(std::string_view json, const char* key) {
+  constexpr double kMaxSide = 1 << 20;
+  const auto numbers = json_numbers("camera", json, key);
+  if (!numbers) return 0;
+  const double side = numbers->size() == 1 ? numbers->front() : -1.0;
+  if (!(side >= 0.0 && side <= kMaxSide))
+    throw std::invalid_argument(fmt::format("camera: expected \"{}\" in pixels", key));
+  return static_cast<int>(side);
 }
 
 Pinhole from_json(std::string_view text) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (json.is_discarded()) throw std::invalid_argument("camera: the JSON is damaged");
-  const auto matrix = json.find("intrinsic_matrix");
+  const std::vector<double> columns = json_numbers("camera", text, "intrinsic_matrix").value_or(std::vector<double>{});
   std::array<double, 9> k{};
-  if (matrix == json.end() || !matrix->is_array() || matrix->size() != k.size())
+  if (columns.size() != k.size())
     throw std::invalid_argument("camera: expected \"intrinsic_matrix\" with 9 numbers in the JSON");
-  for (std::size_t i = 0; i < k.size(); ++i) {
-    const nlohmann::json& number = (*matrix)[i];
-    if (!number.is_number()) throw std::invalid_argument("camera: expected numbers in \"intrinsic_matrix\"");
-    k[i % 3 * 3 + i / 3] = number.get<double>();  // column by column in the file
-  }
+  for (std::size_t i = 0; i < k.size(); ++i) k[i % 3 * 3 + i / 3] = columns[i];
   Pinhole camera = from_matrix(k);
-  camera.width = image_side(json, "width");
-  camera.height = image_side(json, "height");
+  camera.width = image_side(text, "width");
+  camera.height = image_side(text, "height");
   return camera;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/cloud_builder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {

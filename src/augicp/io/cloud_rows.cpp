@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/cloud_rows.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstring>
 #include <iterator>
 #include <stdexcept>
+
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {

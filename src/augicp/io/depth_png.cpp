@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/depth_png.h"
 
-#include <fmt/format.h>
 #include <spng.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 
 #include "augicp/core/check.h"
 #include "augicp/io/atomic_file.h"
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {

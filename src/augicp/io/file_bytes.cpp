@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/file_bytes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <system_error>
+
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {

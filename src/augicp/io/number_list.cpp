@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/number_list.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "augicp/io/file_bytes.h"
+#include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_lines.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/pcd_header.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_lines.h"
 

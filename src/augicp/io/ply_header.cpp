@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/ply_header.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_lines.h"
 

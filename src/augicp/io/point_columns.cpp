@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 
 #include "augicp/io/cloud_builder.h"
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {

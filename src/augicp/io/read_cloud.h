@@ -10,7 +10,8 @@ namespace augicp {
 
 // The cloud in a file: .ply, .pcd, .xyz .txt .csv .pts, KITTI's .bin or .npy, told by the extension and checked by the
 // content. Throws IoError, with nothing read, for a file that is damaged, cut short, without points or without any
-// finite point. Memory: at most about three times the size of the file (of its content, where that is compressed).
+// finite point. Takes memory for the file (and its content, where that is compressed) and for the cloud, nothing more:
+// about three times the file at most, but for coordinates in single bytes.
 //
 // A few cuts cannot be seen and are not errors: in text, within the last number, or at a line of a file that states no
 // count (both with a warning where the last line has no end); in .bin, at a whole number of points.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/read_kitti.h"
 
-#include <fmt/format.h>
-
 #include "augicp/core/check.h"
 #include "augicp/io/binary_points.h"
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/read_npy.h"
 
-#include <fmt/format.h>
-
 #include <vector>
 
 #include "augicp/io/binary_points.h"
+#include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_lines.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/read_pcd.h"
 
-#include <fmt/format.h>
 #include <lzf.h>
 
 #include <utility>
 
 #include "augicp/io/binary_points.h"
+#include "augicp/io/format.h"
 #include "augicp/io/pcd_header.h"
 #include "augicp/io/text_points.h"
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/read_ply.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "augicp/io/binary_points.h"
+#include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/ply_header.h"
 #include "augicp/io/text_points.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/read_xyz.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
+#include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_points.h"
 

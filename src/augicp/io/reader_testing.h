@@ -2,7 +2,6 @@
 // What the tests of all readers share: files as string literals, and the checks every format must pass.
 #pragma once
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "augicp/io/format.h"
 #include "augicp/io/read_cloud.h"
 #include "augicp/testing/matchers.h"
 

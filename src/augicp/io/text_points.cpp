@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/text_points.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 
 namespace augicp {

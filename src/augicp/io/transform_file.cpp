@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/transform_file.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "augicp/io/atomic_file.h"
+#include "augicp/io/format.h"
+#include "augicp/io/json_numbers.h"
 #include "augicp/io/number_list.h"
 
 namespace augicp {
@@ -35,34 +34,13 @@ Rigid3 from_quaternion(const std::vector<double>& numbers) {
   return {rotation.normalized(), translation};
 }
 
-double number(const nlohmann::json& value) {
-  if (!value.is_number()) throw std::invalid_argument(fmt::format("transform: expected numbers in \"{}\"", kJsonKey));
-  return value.get<double>();
-}
-
-// Rows of numbers, or numbers: no deeper.
-std::vector<double> matrix_numbers(const nlohmann::json& matrix) {
-  std::vector<double> numbers;
-  for (const nlohmann::json& row : matrix) {
-    if (!row.is_array()) {
-      numbers.push_back(number(row));
-    } else {
-      for (const nlohmann::json& item : row) numbers.push_back(number(item));
-    }
-  }
-  return numbers;
-}
-
 Rigid3 from_json(std::string_view text) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (json.is_discarded()) throw std::invalid_argument("transform: the JSON is damaged");
-  if (!json.is_object() || !json.contains(kJsonKey))
-    throw std::invalid_argument(fmt::format("transform: expected the key \"{}\" in the JSON", kJsonKey));
-  const std::vector<double> numbers = matrix_numbers(json[kJsonKey]);
-  if (numbers.size() != 16)
+  const auto numbers = json_numbers("transform", text, kJsonKey);
+  if (!numbers) throw std::invalid_argument(fmt::format("transform: expected the key \"{}\" in the JSON", kJsonKey));
+  if (numbers->size() != 16)
     throw std::invalid_argument(
-        fmt::format("transform: expected 16 numbers in \"{}\", found {}", kJsonKey, numbers.size()));
-  return from_rows(numbers);
+        fmt::format("transform: expected 16 numbers in \"{}\", found {}", kJsonKey, numbers->size()));
+  return from_rows(*numbers);
 }
 
 }  // namespace

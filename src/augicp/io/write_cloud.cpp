@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/write_cloud.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/cloud_rows.h"
 #include "augicp/io/file_bytes.h"
+#include "augicp/io/format.h"
 
 namespace augicp {
 namespace {
