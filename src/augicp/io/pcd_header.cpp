@@ -16,7 +16,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kMaxHeaderLine = 64 * 1024;
+constexpr std::size_t kMaxHeaderLine = 65'536;
 constexpr std::uint64_t kMaxCount = 1 << 16;  // far above the largest feature descriptors
 
 constexpr std::string_view kKeywords[] = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",

@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kMaxHeaderLine = 64 * 1024;
+constexpr std::size_t kMaxHeaderLine = 65'536;
 
 constexpr std::pair<std::string_view, ScalarType> kTypeNames[] = {
     {"char", ScalarType::Int8},      {"int8", ScalarType::Int8},       {"uchar", ScalarType::Uint8},

@@ -22,7 +22,7 @@ struct NpyHeader {
 // The text of the header, a Python dictionary, and where it ends.
 std::string_view header_text(const FileBytes& file) {
   constexpr std::string_view kMark = "\x93NUMPY";
-  constexpr std::uint64_t kMaxHeader = 64 * 1024;
+  constexpr std::uint64_t kMaxHeader = 65'536;
   const std::string_view bytes = file.bytes;
   if (!bytes.starts_with(kMark)) throw io_error_at_byte(file.path, 0, "expected the mark of a NumPy array");
   if (bytes.size() < 12) throw io_error_at_byte(file.path, bytes.size(), "expected a header, the file ends here");
