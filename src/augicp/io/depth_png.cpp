@@ -17,7 +17,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::uint32_t kMaxSide = 16384;                // pixels; above any depth sensor's
+constexpr std::uint32_t kMaxSide = 16384;          // pixels; above any depth sensor's
 constexpr std::size_t kMaxChunkBytes = 8'388'608;  // of one chunk that is not image data, and of all such
 
 using Context = std::unique_ptr<spng_ctx, void (*)(spng_ctx*)>;
