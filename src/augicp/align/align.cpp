@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/align/align.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "augicp/align/damped_step.h"
+#include "augicp/align/weighing.h"
 #include "augicp/core/check.h"
 
 namespace augicp {
@@ -16,15 +16,6 @@ constexpr std::int64_t kMinPairs = 6;
 
 // With fewer source points than this share in reach of the target, what little touches says nothing.
 constexpr double kMinOverlap = 0.02;
-
-double kernel_for(const std::vector<float>& chi2, const AlignOptions& options) {
-  if (std::isfinite(options.kernel_chi2)) return options.kernel_chi2;
-  std::vector<float> sorted = chi2;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  // A perfect fit has a median of zero, and any positive K then gives every exact pair its full weight.
-  return std::max(options.kernel_per_median * static_cast<double>(*middle), 1e-30);
-}
 
 double rmse_of(const Cloud& source, const Cloud& target, const std::vector<Correspondence>& pairs, const Rigid3& pose) {
   double sum_sq = 0.0;
@@ -42,7 +33,9 @@ bool is_small(const Vec6d& step, const AlignOptions& options) {
 void AlignOptions::check() const {
   information.check();
   gates.check();
-  require(kernel_chi2 > 0.0, "kernel_chi2", kernel_chi2, "must be above 0");
+  if (lever) require_not_negative("lever", *lever);
+  require(max_lever >= 0.0, "max_lever", max_lever, "must be at least 0");
+  if (kernel_chi2) require(*kernel_chi2 > 0.0, "kernel_chi2", *kernel_chi2, "must be above 0");
   require_positive("kernel_per_median", kernel_per_median);
   require_not_negative("damping", damping);
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
@@ -74,8 +67,9 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
       result.status = result.num_pairs < kMinPairs && !source.empty() ? AlignStatus::NoOverlap : AlignStatus::TooFewPairs;
       break;
     }
-    const std::vector<float> chi2 = chi2_of_pairs(source, target, pairs, pose, options.information, options.num_threads);
-    const Objective objective{options.information, kernel_for(chi2, options)};
+    const PairChi2 chi2 = chi2_of_pairs(source, target, pairs, pose, options.information, options.num_threads);
+    const Weighing weighing = weigh_pairs(chi2, options);
+    const Objective objective{with_lever(options.information, weighing.lever), weighing.kernel_chi2};
     const NormalEquations equations = linearize(source, target, pairs, pose, objective, options.num_threads);
     const Vec6d step = damped_step(equations, options.damping);
     if (!step.allFinite()) {
@@ -86,7 +80,7 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
     ++result.iterations;
     result.information = equations.H;
     result.history.push_back(
-        {with_origins(pose, source, target), result.num_pairs, equations.cost, objective.kernel_chi2});
+        {with_origins(pose, source, target), result.num_pairs, equations.cost, weighing.kernel_chi2, weighing.lever});
     if (is_small(step, options)) result.status = AlignStatus::Converged;
   }
   result.target_from_source = with_origins(pose, source, target);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,13 +12,19 @@
 namespace augicp {
 
 struct AlignOptions {
-  InformationModel information = augmented_information();
+  InformationModel information = default_information();
   Gates gates;
 
-  // K of Eq. (13): fixed where finite. Otherwise this many times the median chi2 of the pairs of each iteration, so that
-  // it is wide while the clouds lie apart and narrow when they meet.
-  double kernel_chi2 = std::numeric_limits<double>::infinity();
-  double kernel_per_median = 4.0;
+  // How the linear part of the error weighs against the position, see with_lever(). Set: fixed, and 1 m is Table 2 as
+  // printed. Not set: what the pairs of each iteration show, the ratio of the median errors of positions and directions,
+  // but at most max_lever (metres): the farther apart the clouds, the less a pair's direction says too.
+  std::optional<double> lever;
+  double max_lever = std::numeric_limits<double>::infinity();
+
+  // K of Eq. (13). Not set: this many times the median chi2 of the pairs of each iteration, so that it is wide while the
+  // clouds lie apart and narrow when they meet.
+  std::optional<double> kernel_chi2;
+  double kernel_per_median = 8.0;
 
   // lambda of Eq. (10), as a part of the mean diagonal of H's translation and rotation block each.
   double damping = 1e-6;
@@ -49,6 +56,7 @@ struct AlignIteration {
   std::int64_t num_pairs = 0;
   double cost = 0.0;         // before the step
   double kernel_chi2 = 0.0;  // K used
+  double lever = 0.0;        // used, metres; 0 where no direction was compared
 };
 
 // Poses are between the clouds' frames, origins included. On failure the last pose reached is kept: it is never replaced

@@ -27,6 +27,10 @@ struct Cloud {
   std::vector<Structure> structures;  // as many as directions
   Vec3d origin = Vec3d::Zero();       // metres
 
+  // How much each point's measurement counts beside the best ones': the inverse of its variance, in (0, 1]. Empty: all
+  // alike.
+  std::vector<float> weights;
+
   // Where the sensor was, relative to origin as the points are. Where it is known, normals point to it; where it is
   // not, a normal and its opposite are the same plane.
   std::optional<Vec3f> viewpoint;

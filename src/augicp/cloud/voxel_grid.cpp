@@ -70,6 +70,8 @@ Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices) {
   chosen.viewpoint = cloud.viewpoint;
   chosen.points.reserve(indices.size());
   for (std::uint32_t i : indices) chosen.points.push_back(cloud.points[i]);
+  if (!cloud.weights.empty())
+    for (std::uint32_t i : indices) chosen.weights.push_back(cloud.weights[i]);
   if (!cloud.has_directions()) return chosen;
   for (std::uint32_t i : indices) {
     chosen.directions.push_back(cloud.directions[i]);

@@ -30,16 +30,26 @@ InformationModel gicp_information(double epsilon) {
           .edge = {.position = {1.0, 1.0 / epsilon}, .direction = {}}};
 }
 
-InformationModel augmented_information(double epsilon) { return augmented_information(epsilon, 1.0, 1.0); }
-
-InformationModel augmented_information(double epsilon, double normal_lever_m, double tangent_lever_m) {
-  require_not_negative("normal_lever_m", normal_lever_m);
-  require_not_negative("tangent_lever_m", tangent_lever_m);
+InformationModel augmented_information(double epsilon) {
   InformationModel model = gicp_information(epsilon);
-  const double normal_scale = normal_lever_m * normal_lever_m, tangent_scale = tangent_lever_m * tangent_lever_m;
-  model.planar.direction = {normal_scale, normal_scale / epsilon};
-  model.edge.direction = {tangent_scale, tangent_scale / epsilon};
+  model.planar.direction = model.edge.direction = {1.0, 1.0 / epsilon};
   return model;
+}
+
+InformationModel default_information(double epsilon) {
+  InformationModel model = augmented_information(epsilon);
+  model.edge.position = model.none.position;
+  return model;
+}
+
+InformationModel with_lever(const InformationModel& model, double lever_m) {
+  require_not_negative("lever_m", lever_m);
+  InformationModel scaled = model;
+  for (StructureInformation* row : {&scaled.none, &scaled.planar, &scaled.edge}) {
+    row->direction.along *= lever_m * lever_m;
+    row->direction.across *= lever_m * lever_m;
+  }
+  return scaled;
 }
 
 }  // namespace augicp

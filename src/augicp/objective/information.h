@@ -41,8 +41,17 @@ InformationModel plane_information();                                      // di
 InformationModel gicp_information(double epsilon = kTable2Epsilon);        // Omega^p of Table 2, Omega^l = 0
 InformationModel augmented_information(double epsilon = kTable2Epsilon);   // Table 2 as printed
 
-// Omega^l scaled to lengths: an error of the direction by one radian counts as much as one of the position by lever
-// metres, in the direction each knows best. Table 2 as printed is a lever of 1 m, whatever the size of the scene.
-InformationModel augmented_information(double epsilon, double normal_lever_m, double tangent_lever_m);
+// The default: Table 2, but an edge's position counts no more than that of a point without structure. Table 2 lets it
+// count fully across its tangent, which is right for a point on the crease itself; those within a ball of it, which the
+// classifier cannot tell from it, would then pull along their surface as in plain ICP (docs/results.md has the figures).
+InformationModel default_information(double epsilon = kTable2Epsilon);
+
+// The model with its linear part for a lever: an error of the direction by one radian counts as much as one of the
+// position by lever metres, each in the direction it knows best. Table 2 as printed has a lever of 1 m, whatever the
+// size of the scene.
+InformationModel with_lever(const InformationModel& model, double lever_m);
+
+// The same model without its linear part.
+inline InformationModel positions_only(const InformationModel& model) { return with_lever(model, 0.0); }
 
 }  // namespace augicp

@@ -18,7 +18,12 @@ struct PairError {
   Vec3d position_error;   // p_i - T (+) p_j
   Vec3d direction_error;  // l_i - R l_j
   Information position, direction;
+  bool compares_directions = false;
 };
+
+Information scaled(const Information& information, double weight) {
+  return {weight * information.along, weight * information.across};
+}
 
 // Omega x, without Omega.
 Vec3d weigh(const Information& information, const Vec3d& d, const Vec3d& x) {
@@ -38,17 +43,19 @@ class PairErrors {
 
   PairError of(const Correspondence& pair) const {
     PairError e;
+    const double weight = target_.weights.empty() ? 1.0 : static_cast<double>(target_.weights[pair.target]);
     const Structure structure = target_.has_directions() ? target_.structures[pair.target] : Structure::None;
     e.moved_point = rotation_ * source_.points[pair.source].cast<double>() + translation_;
     e.position_error = target_.points[pair.target].cast<double>() - e.moved_point;
-    e.position = information_.of(structure).position;
+    e.position = scaled(information_.of(structure).position, weight);
     e.target_direction = Vec3d::Zero();
     e.moved_direction = e.direction_error = Vec3d::Zero();
     if (structure == Structure::None) return e;
     e.target_direction = target_.directions[pair.target].cast<double>();
     // Where the structures differ the linear error has no meaning: Omega^l = 0.
     if (!compares_directions_ || source_.structures[pair.source] != structure) return e;
-    e.direction = information_.of(structure).direction;
+    e.compares_directions = true;
+    e.direction = scaled(information_.of(structure).direction, weight);
     e.moved_direction = rotation_ * source_.directions[pair.source].cast<double>();
     // Eq. (7), but with the sign chosen first: a tangent and its opposite are the same edge.
     const bool with_sign = structure == Structure::Planar && signed_normals_;
@@ -67,9 +74,11 @@ class PairErrors {
   bool signed_normals_;
 };
 
-double chi2_of(const PairError& e) {
-  return e.position_error.dot(weigh(e.position, e.target_direction, e.position_error)) +
-         e.direction_error.dot(weigh(e.direction, e.target_direction, e.direction_error));
+double position_chi2(const PairError& e) {
+  return e.position_error.dot(weigh(e.position, e.target_direction, e.position_error));
+}
+double direction_chi2(const PairError& e) {
+  return e.direction_error.dot(weigh(e.direction, e.target_direction, e.direction_error));
 }
 
 // The sums behind H and b by their blocks: tt and rr are symmetric.
@@ -135,7 +144,7 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
     BlockSums block;
     for (const Correspondence& pair : pairs.subspan(begin, end - begin)) {
       const PairError e = errors.of(pair);
-      const auto [gamma, loss] = robust(chi2_of(e), objective.kernel_chi2);
+      const auto [gamma, loss] = robust(position_chi2(e) + direction_chi2(e), objective.kernel_chi2);
       block.add_position(e, gamma);
       block.add_direction(e, gamma);
       block.cost += 0.5 * loss;
@@ -150,12 +159,16 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
   return equations;
 }
 
-std::vector<float> chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                 const Rigid3& target_from_source, const InformationModel& information, int num_threads) {
+PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                       const Rigid3& target_from_source, const InformationModel& information, int num_threads) {
   const PairErrors errors(source, target, target_from_source, information);
-  std::vector<float> chi2(pairs.size());
+  PairChi2 chi2{std::vector<float>(pairs.size()), std::vector<float>(pairs.size())};
   for_each_block(pairs.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) chi2[k] = static_cast<float>(chi2_of(errors.of(pairs[k])));
+    for (std::size_t k = begin; k < end; ++k) {
+      const PairError e = errors.of(pairs[k]);
+      chi2.position[k] = static_cast<float>(position_chi2(e));
+      chi2.direction[k] = e.compares_directions ? static_cast<float>(direction_chi2(e)) : -1.0f;
+    }
   });
   return chi2;
 }

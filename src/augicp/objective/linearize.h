@@ -30,12 +30,16 @@ struct Objective {
 
 // H, b and cost over the pairs. Points of both clouds are taken without their origins. A linear part counts where both
 // points of a pair have the same structure; a tangent, and a normal unless both sensors' places are known, is compared
-// without its sign. Sums are the same for any number of threads.
+// without its sign. Omega is scaled by the target point's weight where it has one. Sums are the same for any number of threads.
 NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                           const Rigid3& target_from_source, const Objective& objective, int num_threads);
 
-// chi2 = e^T Omega e of every pair, before the robust weight.
-std::vector<float> chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+// The two parts of chi2 = e^T Omega e of every pair, before the robust weight. The direction's is negative where it is
+// not compared.
+struct PairChi2 {
+  std::vector<float> position, direction;
+};
+PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                                  const Rigid3& target_from_source, const InformationModel& information, int num_threads);
 
 }  // namespace augicp

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "augicp/core/check.h"
+
 namespace augicp {
 namespace {
 
@@ -20,7 +22,15 @@ void check_sizes(const DepthImage& image, const Pinhole& camera) {
 
 }  // namespace
 
-OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const DepthRange& range) {
+double DepthNoise::weight(double z) const {
+  const double grown = per_depth_sq * z * z;
+  return floor * floor / (floor * floor + grown * grown);
+}
+
+OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const DepthRange& range,
+                         const DepthNoise& noise) {
+  require_positive("noise floor", noise.floor);
+  require_not_negative("noise per_depth_sq", noise.per_depth_sq);
   check_sizes(image, camera);
   OrganizedCloud result{{}, IndexImage(image.width, image.height)};
   Cloud& cloud = result.cloud;
@@ -33,6 +43,7 @@ OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const D
       const double z = image.depth[pixel];
       if (!(z > range.min && z <= range.max && z < std::numeric_limits<float>::max())) continue;  // NaN fails too
       result.index.index[pixel] = static_cast<std::int32_t>(cloud.points.size());
+      cloud.weights.push_back(static_cast<float>(noise.weight(z)));
       cloud.points.push_back((z * Vec3d((u - camera.cx) / camera.fx, y, 1.0)).cast<float>());
     }
   }

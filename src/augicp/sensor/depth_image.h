@@ -25,14 +25,26 @@ struct DepthRange {
   double max = std::numeric_limits<double>::infinity();
 };
 
+// How sure a depth camera is of a reading at depth z: its variance is floor^2 + (per_depth_sq z^2)^2. Stereo and
+// structured light lose precision with the square of the depth; the floor stands for what does not depend on it
+// (calibration, time stamps, rolling shutter). The default is a Kinect's.
+struct DepthNoise {
+  double floor = 0.0012;         // standard deviation, metres
+  double per_depth_sq = 0.0012;  // metres a square metre
+
+  // The inverse of the variance at depth z, relative to that at zero: in (0, 1].
+  double weight(double z) const;
+};
+
 // The points a camera saw, and the pixel each was seen in.
 struct OrganizedCloud {
   Cloud cloud;  // in raster order; viewpoint at the camera
   IndexImage index;
 };
 
-// The positions of a depth image's readings in the camera frame. Throws std::invalid_argument where the image's size is
-// not the camera's or the array's length is not width * height.
-OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const DepthRange& range = {});
+// The positions of a depth image's readings in the camera frame, with their weights. Throws std::invalid_argument where
+// the image's size is not the camera's or the array's length is not width * height.
+OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const DepthRange& range = {},
+                         const DepthNoise& noise = {});
 
 }  // namespace augicp

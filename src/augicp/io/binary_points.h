@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "augicp/io/cloud_builder.h"
+#include "augicp/io/scalar_type.h"
+
+namespace augicp {
+
+// Where the numbers of one column are: that of the point in row v and place u of its row is at
+// offset + v * row_stride + u * stride. Files without rows have one. All in bytes.
+struct BinaryColumn {
+  std::size_t offset = 0;
+  std::size_t stride = 0;
+  std::size_t row_stride = 0;
+  ScalarType type = ScalarType::Float32;
+};
+
+// Points in memory, records or columns one after the other. bytes must outlive this and hold every number named.
+struct BinaryPoints {
+  std::string_view bytes;
+  ByteOrder order = ByteOrder::Little;
+  std::array<std::optional<BinaryColumn>, kNumRoles> columns;  // by role
+  std::size_t num_rows = 1;
+  std::size_t row_length = 0;
+};
+
+void add_points(const BinaryPoints& points, CloudBuilder& builder);
+
+}  // namespace augicp

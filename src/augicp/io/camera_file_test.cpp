@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/camera_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "augicp/io/atomic_file.h"
+#include "augicp/testing/temporary_folder.h"
+
+namespace augicp {
+namespace {
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_camera({"camera.txt", text});
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_camera(const Pinhole& camera, int width, int height) {
+  EXPECT_EQ(camera.fx, 585.0);
+  EXPECT_EQ(camera.fy, 586.5);
+  EXPECT_EQ(camera.cx, 320.0);
+  EXPECT_EQ(camera.cy, 240.25);
+  EXPECT_EQ(camera.width, width);
+  EXPECT_EQ(camera.height, height);
+}
+
+TEST(CameraFile, EveryFormMeansTheSameCamera) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "c.txt", "585 586.5 320 240.25\n");
+  expect_camera(read_camera((folder / "c.txt").string()), 0, 0);
+  expect_camera(read_camera("585 586.5 320 240.25"), 0, 0);
+  expect_camera(read_camera("585,586.5,320,240.25"), 0, 0);
+  expect_camera(parse_camera({"", "5.85e+02 0 3.2e+02\n0 586.5 240.25\n0 0 1\n"}), 0, 0);
+  expect_camera(
+      parse_camera({"", R"({"width": 640, "height": 480, "intrinsic_matrix": [585,0,0, 0,586.5,0, 320,240.25,1]})"}),
+      640, 480);
+}
+
+TEST(CameraFile, KnownNamesComeWithTheirImageSize) { EXPECT_EQ(read_camera("tum-fr1").width, 640); }
+
+TEST(CameraFile, AnUnknownNameListsTheKnownOnes) {
+  try {
+    read_camera("tum-fr9");
+    ADD_FAILURE();
+  } catch (const IoError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("camera 'tum-fr9'"));
+    for (const std::string& name : camera_names()) EXPECT_THAT(error.what(), ::testing::HasSubstr(name));
+  }
+}
+
+TEST(CameraFile, WhatIsNoCameraIsRefused) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"", "found 0 numbers"},
+      {"1 2 3", "found 3 numbers"},
+      {"585 x 320 240", "line 1: expected a number, found 'x'"},
+      {"0 585 320 240", "fx"},
+      {"585 nan 320 240", "fy"},
+      {"585 1 320 0 585 240 0 0 1", "no skew"},
+      {"{", "JSON is damaged"},
+      {"{}", "expected \"intrinsic_matrix\""},
+      {R"({"intrinsic_matrix": [1, 2]})", "expected \"intrinsic_matrix\""},
+      {R"({"intrinsic_matrix": [585,0,0, 0,585,0, 320,240,"1"]})", "expected numbers"},
+      {R"({"width": 1e99, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "expected \"width\" in pixels"},
+      {R"({"width": -1, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "expected \"width\" in pixels"}};
+  for (const auto& [text, message] : cases) EXPECT_THAT(refusal(text), ::testing::HasSubstr(message)) << text;
+  EXPECT_THROW(read_camera("585 585 320"), IoError);
+  EXPECT_THROW(read_camera(std::filesystem::temp_directory_path().string()), IoError);
+}
+
+}  // namespace
+}  // namespace augicp

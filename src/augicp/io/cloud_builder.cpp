@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/cloud_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "augicp/io/format.h"
+
+namespace augicp {
+namespace {
+
+constexpr double kFarthest = 1e18;  // the squared distance of two points nearer than this fits a float
+
+bool is_usable(const Vec3d& position) {
+  return (position.array().abs() < kFarthest).all();  // NaN fails
+}
+
+// Medians over at most this many points, evenly spread over the file: enough for an origin.
+constexpr std::size_t kMaxSample = 4096;
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Medians, so that a few points at zero or at infinity, which stand for "no reading" in many files, do not decide.
+struct Spread {
+  Vec3d centre = Vec3d::Zero();
+  double radius = 0.0;  // median distance from the centre, along the farthest axis
+};
+
+Spread spread_of(const std::vector<Vec3f>& points) {
+  const std::size_t step = (points.size() + kMaxSample - 1) / kMaxSample;
+  Spread spread;
+  std::vector<double> values;
+  for (int axis = 0; axis < 3; ++axis) {
+    values.clear();
+    for (std::size_t i = 0; i < points.size(); i += step) values.push_back(static_cast<double>(points[i][axis]));
+    spread.centre[axis] = median(values);
+  }
+  values.clear();
+  for (std::size_t i = 0; i < points.size(); i += step)
+    values.push_back((points[i].cast<double>() - spread.centre).cwiseAbs().maxCoeff());
+  spread.radius = median(values);
+  return spread;
+}
+
+}  // namespace
+
+CloudBuilder::CloudBuilder(const PointTable& table, const Vec3d& origin) : is_organised_(table.width > 0) {
+  Cloud& cloud = file_.cloud;
+  cloud.origin = origin;
+  cloud.points.reserve(table.num_points);
+  if (table.has_normals) {
+    cloud.directions.reserve(table.num_points);
+    cloud.structures.reserve(table.num_points);
+  }
+  if (is_organised_) places_.reserve(table.num_points);
+  if (table.viewpoint) cloud.viewpoint = (*table.viewpoint - origin).cast<float>();
+  file_.report.format = table.format;
+  file_.report.has_normals = table.has_normals;
+}
+
+void CloudBuilder::add(const PointValues& values) {
+  ++file_.report.num_declared;
+  const Vec3d position(values[0], values[1], values[2]);
+  const bool usable = is_usable(position);
+  if (is_organised_)
+    places_.push_back(usable ? static_cast<std::int32_t>(file_.cloud.points.size()) : IndexImage::kNone);
+  if (!usable) {
+    ++file_.report.num_not_finite;
+    return;
+  }
+  file_.cloud.points.push_back((position - file_.cloud.origin).cast<float>());
+  if (file_.report.has_normals) add_direction(values);
+}
+
+void CloudBuilder::add_direction(const PointValues& values) {
+  Cloud& cloud = file_.cloud;
+  const Vec3d normal(values[3], values[4], values[5]);
+  const double length = normal.norm();
+  const bool usable = std::isfinite(length) && length > 0.0 && values[6] != static_cast<double>(Structure::None);
+  Vec3f direction = usable ? Vec3f((normal / length).cast<float>()) : Vec3f(Vec3f::Zero());
+  const bool is_edge = values[6] == static_cast<double>(Structure::Edge);
+  if (!is_edge && cloud.viewpoint && direction.dot(*cloud.viewpoint - cloud.points.back()) < 0.0f)
+    direction = -direction;
+  cloud.directions.push_back(direction);
+  cloud.structures.push_back(!usable ? Structure::None : is_edge ? Structure::Edge : Structure::Planar);
+}
+
+// Float has 24 bits. At 8 times the cloud's radius its spacing is below a millionth of the radius, and an origin is not
+// worth having; farther away it is. Rounded to a power of two near the radius, so that subtracting it is exact.
+Vec3d CloudBuilder::suitable_origin() const {
+  constexpr double kFarInRadii = 8.0;
+  const Spread spread = spread_of(file_.cloud.points);
+  if (spread.centre.cwiseAbs().maxCoeff() <= kFarInRadii * spread.radius) return Vec3d::Zero();
+  const double quantum = spread.radius > 0.0 ? std::exp2(std::floor(std::log2(spread.radius))) : 1.0;
+  return (spread.centre / quantum).array().round().matrix() * quantum;
+}
+
+CloudFile build_cloud(const FileBytes& file, const PointTable& table,
+                      const std::function<void(CloudBuilder&)>& decode_points) {
+  std::optional<CloudBuilder> builder(std::in_place, table, Vec3d::Zero());
+  decode_points(*builder);
+  const std::uint64_t num_points = builder->file_.report.num_declared;
+  if (num_points == 0) throw io_error(file.path, "holds no points");
+  if (builder->file_.cloud.empty())
+    throw io_error(file.path, fmt::format("none of its {} points is finite", num_points));
+  if (const Vec3d origin = builder->suitable_origin(); !origin.isZero(0.0)) {
+    builder.emplace(table, origin);
+    decode_points(*builder);
+  }
+  CloudFile built = std::move(builder->file_);
+  if (table.width > 0) {
+    built.grid.emplace();
+    built.grid->width = table.width;
+    built.grid->height = static_cast<int>(builder->places_.size() / static_cast<std::size_t>(table.width));
+    built.grid->index = std::move(builder->places_);
+  }
+  return built;
+}
+
+void check_num_points(const std::filesystem::path& path, std::uint64_t count, const ReadOptions& options) {
+  constexpr std::uint64_t kMaxIndex = std::numeric_limits<std::int32_t>::max();
+  const std::uint64_t limit = std::min(options.max_points, kMaxIndex);
+  if (count == 0) throw io_error(path, "holds no points");
+  if (count > limit) throw io_error(path, fmt::format("expected at most {} points, found {}", limit, count));
+}
+
+}  // namespace augicp

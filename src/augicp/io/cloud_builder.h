@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// From the numbers of a file to a cloud: dropping what is not finite, choosing the origin, normalising normals. The one
+// place where this is done, for every format.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "augicp/io/cloud_file.h"
+#include "augicp/io/file_bytes.h"
+
+namespace augicp {
+
+// The numbers a point may have: x y z, nx ny nz, and structure as the number of its enumerator.
+inline constexpr std::size_t kNumRoles = 7;
+using PointValues = std::array<double, kNumRoles>;
+
+// For each role the column that holds it.
+inline constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
+struct PointColumns {
+  std::array<std::size_t, kNumRoles> of_role{kNoColumn, kNoColumn, kNoColumn, kNoColumn,
+                                             kNoColumn, kNoColumn, kNoColumn};
+
+  bool has_normals() const { return of_role[3] != kNoColumn; }
+};
+
+// Columns by their names, in either case: x y z, nx ny nz or normal_x normal_y normal_z, structure. Normals count only
+// when all three are there. Throws IoError for a missing coordinate, and for a name of these that comes twice.
+PointColumns find_columns(const std::filesystem::path& path, std::span<const std::string> names);
+
+// What a file states about its points as a whole.
+struct PointTable {
+  std::string format;
+  std::uint64_t num_points = 0;  // for text without a count: a bound from above
+  bool has_normals = false;
+  int width = 0;  // of an organised file's rows; 0: not organised
+  std::optional<Vec3d> viewpoint;
+};
+
+// Takes points in file order.
+class CloudBuilder {
+ public:
+  CloudBuilder(const PointTable& table, const Vec3d& origin);
+  void add(const PointValues& values);
+
+ private:
+  friend CloudFile build_cloud(const FileBytes&, const PointTable&, const std::function<void(CloudBuilder&)>&);
+  void add_direction(const PointValues& values);
+  Vec3d suitable_origin() const;
+
+  CloudFile file_;
+  std::vector<std::int32_t> places_;  // of an organised file: the point in each place
+  bool is_organised_;
+};
+
+// decode_points adds every point of the file, the same ones at each call: it is called a second time where the cloud
+// turns out to lie far from zero. (Keeping all coordinates as double instead would cost twice the cloud's memory.)
+// Throws IoError where no point is finite.
+CloudFile build_cloud(const FileBytes& file, const PointTable& table,
+                      const std::function<void(CloudBuilder&)>& decode_points);
+
+// Throws IoError unless 1 <= count <= max_points and the index of a point fits 32 bits.
+void check_num_points(const std::filesystem::path& path, std::uint64_t count, const ReadOptions& options);
+
+}  // namespace augicp

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "augicp/io/file_bytes.h"
+#include "augicp/sensor/depth_image.h"
+
+namespace augicp {
+
+// A depth image from a PNG of 16-bit grey values: metres = value / depth_scale (TUM: 5000, most others: 1000), 0 is no
+// reading. Throws IoError for any other kind of PNG and for a damaged one, std::invalid_argument unless depth_scale is
+// above 0.
+DepthImage read_depth_png(const std::filesystem::path& path, double depth_scale);
+
+// The same for a file that is in memory.
+DepthImage parse_depth_png(const FileBytes& file, double depth_scale);
+
+// Throws IoError with advice where the median reading is nearer than 5 cm or farther than 200 m: then the depth scale
+// is wrong by a factor. An image without readings passes. path and depth_scale are for the message.
+void check_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale);
+
+// Writes round(depth * depth_scale); no reading, and what does not fit 16 bits, as 0. Throws IoError;
+// std::invalid_argument where the array's length is not width * height or the image is empty.
+void write_depth_png(const std::filesystem::path& path, const DepthImage& image, double depth_scale);
+
+}  // namespace augicp

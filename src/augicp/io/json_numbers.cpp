@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/json_numbers.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "augicp/io/format.h"
+
+namespace augicp {
+
+std::optional<std::vector<double>> json_numbers(std::string_view what, std::string_view text, const std::string& key) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) throw std::invalid_argument(fmt::format("{}: the JSON is damaged", what));
+  const auto value = json.find(key);
+  if (value == json.end()) return std::nullopt;
+
+  std::vector<double> numbers;
+  const auto append = [&](const nlohmann::json& number) {
+    if (!number.is_number()) throw std::invalid_argument(fmt::format("{}: expected numbers in \"{}\"", what, key));
+    numbers.push_back(number.get<double>());
+  };
+  const auto append_row = [&](const nlohmann::json& row) {
+    if (!row.is_array()) return append(row);
+    for (const nlohmann::json& number : row) append(number);
+  };
+  if (!value->is_array()) {
+    append(*value);
+  } else {
+    for (const nlohmann::json& row : *value) append_row(row);
+  }
+  return numbers;
+}
+
+}  // namespace augicp

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/parse_number.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace augicp {
+namespace {
+
+TEST(ParseNumber, ReadsEverySpellingFilesUse) {
+  const std::pair<const char*, double> cases[] = {{"0", 0.0},     {"-1.5", -1.5},   {"+2", 2.0},     {".25", 0.25},
+                                                  {"3.", 3.0},    {"1e3", 1000.0},  {"1E-3", 0.001}, {"000", 0.0},
+                                                  {"-0.0", -0.0}, {"1e308", 1e308}, {"+.5", 0.5},    {"5e-324", 5e-324},
+                                                  {"1e-400", 0.0}};
+  for (const auto& [text, value] : cases) {
+    const auto parsed = parse_double(text);
+    ASSERT_TRUE(parsed) << text;
+    EXPECT_EQ(*parsed, value) << text;
+  }
+}
+
+TEST(ParseNumber, NotFiniteIsANumberThatIsNotFinite) {
+  for (const char* text : {"nan", "NaN", "-nan", "inf", "-Inf", "infinity", "1e400", "-1e400"}) {
+    const auto parsed = parse_double(text);
+    ASSERT_TRUE(parsed) << text;
+    EXPECT_FALSE(std::isfinite(*parsed)) << text;
+  }
+  EXPECT_EQ(parse_double(std::string(400, '9')), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(parse_double("0." + std::string(400, '0') + "1"), 0.0);
+}
+
+TEST(ParseNumber, RefusesWhatIsNotAllANumber) {
+  for (const char* text : {"", " ", "x", "1,5", "1.5 ", " 1.5", "1.5m", "+-1", "++1", "0x10", "1e", "--1", "."})
+    EXPECT_FALSE(parse_double(text)) << '"' << text << '"';
+}
+
+TEST(ParseNumber, CountsAreDigitsBelowTwoToThe64) {
+  EXPECT_EQ(parse_count("0"), 0u);
+  EXPECT_EQ(parse_count("18446744073709551615"), std::numeric_limits<std::uint64_t>::max());
+  for (const char* text : {"", "-1", "+1", "1.0", "nan", "18446744073709551616", "1e9", " 1"})
+    EXPECT_FALSE(parse_count(text)) << '"' << text << '"';
+}
+
+// robustness 6
+TEST(ParseNumber, TheLocaleDoesNotMatter) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr && std::setlocale(LC_ALL, "de_DE.utf8") == nullptr)
+    GTEST_SKIP() << "locale de_DE.UTF-8 is not installed";
+  EXPECT_EQ(parse_double("1.5"), 1.5);
+  EXPECT_FALSE(parse_double("1,5"));
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/read_cloud.h"
+
+#include <string>
+#include <string_view>
+
+#include "augicp/io/read_kitti.h"
+#include "augicp/io/read_npy.h"
+#include "augicp/io/read_pcd.h"
+#include "augicp/io/read_ply.h"
+#include "augicp/io/read_xyz.h"
+
+namespace augicp {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  CloudFile (*parse)(const FileBytes&, const ReadOptions&);
+};
+
+constexpr Format kFormats[] = {{".ply", parse_ply}, {".pcd", parse_pcd}, {".xyz", parse_xyz},   {".txt", parse_xyz},
+                               {".csv", parse_xyz}, {".pts", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy}};
+
+const Format& format_of(const std::filesystem::path& path) {
+  const std::string extension = lower_case_extension(path);
+  std::string known;
+  for (const Format& format : kFormats) {
+    if (format.extension == extension) return format;
+    known += ' ';
+    known += format.extension;
+  }
+  throw io_error(path, "expected one of the extensions" + known + ", found " + in_quotes(extension));
+}
+
+}  // namespace
+
+CloudFile parse_cloud(const FileBytes& file, const ReadOptions& options) {
+  return format_of(file.path).parse(file, options);
+}
+
+CloudFile read_cloud(const std::filesystem::path& path, const ReadOptions& options) {
+  const Format& format = format_of(path);
+  return format.parse(read_bytes(path), options);
+}
+
+}  // namespace augicp

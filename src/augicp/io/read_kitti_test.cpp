@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/read_kitti.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include "augicp/io/reader_testing.h"
+
+namespace augicp {
+namespace {
+
+using testing::expect_refused;
+using testing::packed;
+using testing::parse;
+using Points = std::vector<Vec3f>;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+std::string sweep() { return packed<float>({1, -2, 3, 0.5f, kNan, 0, 0, 0, 4, 5, -6, 0}); }
+
+TEST(ReadKitti, PointsAreSeenFromZero) {
+  const CloudFile file = parse("a.bin", sweep());
+  EXPECT_EQ(file.cloud.points, (Points{{1, -2, 3}, {4, 5, -6}}));
+  EXPECT_EQ(file.cloud.viewpoint, Vec3f(0, 0, 0));
+  EXPECT_EQ(file.report.num_declared, 3u);
+  EXPECT_EQ(file.report.num_not_finite, 1u);
+}
+
+TEST(ReadKitti, BarePositionsAreReadWhenAskedFor) {
+  const CloudFile file = parse("a.bin", packed<float>({1, -2, -3, 4, 5, -6}), {.num_bin_columns = 3});
+  EXPECT_EQ(file.cloud.points, (Points{{1, -2, -3}, {4, 5, -6}}));
+  EXPECT_FALSE(file.cloud.viewpoint);
+  EXPECT_THROW(parse("a.bin", sweep(), {.num_bin_columns = 5}), std::invalid_argument);
+}
+
+// robustness 1. A file cut at a whole number of points is a shorter file.
+TEST(ReadKitti, CutsWithinAPointAreErrors) {
+  for (std::size_t length = 0; length < sweep().size(); ++length)
+    EXPECT_EQ(testing::refusal("a.bin", sweep().substr(0, length)).empty(), length > 0 && length % 16 == 0) << length;
+  expect_refused("a.bin", sweep() + "1234", "byte 48: expected points of 4 float32 numbers, 16 bytes, found 4 bytes");
+}
+
+TEST(ReadKitti, NegativeIntensitiesGiveOtherLayoutsAway) {
+  expect_refused("a.bin", packed<float>({1, 2, 3, -4}),
+                 "byte 12: expected x y z intensity of float32, found the intensity -4");
+}
+
+// robustness 2, 4
+TEST(ReadKitti, EmptyFullAndNotFiniteFilesAreErrors) {
+  expect_refused("a.bin", "", "holds no points");
+  expect_refused("a.bin", packed<float>({kNan, 0, 0, 0}), "none of its 1 points is finite");
+  EXPECT_NE(testing::refusal("a.bin", sweep(), {.max_points = 2}), "");
+}
+
+// Of what float keeps: coordinates that are float already.
+TEST(ReadKitti, FarCoordinatesLoseNothing) {
+  for (const float offset : {1e3f, 1e6f, 1e7f}) {
+    const Cloud cloud = parse("a.bin", packed<float>({offset, -offset, 1, 0, offset + 1, -offset - 1, 2, 0})).cloud;
+    EXPECT_EQ(testing::places(cloud)[1] - testing::places(cloud)[0], Vec3d(1, -1, 1));
+    EXPECT_EQ(cloud.origin + cloud.viewpoint->cast<double>(), Vec3d::Zero());
+  }
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/read_xyz.h"
+
+#include "augicp/io/reader_testing.h"
+
+namespace augicp {
+namespace {
+
+using testing::expect_refused;
+using testing::parse;
+using testing::with;
+using testing::with_all;
+using Points = std::vector<Vec3f>;
+
+constexpr const char* kText = "1 2 3\n4 5 6\n7 8 9.25\n";
+const Points kPoints{{1, 2, 3}, {4, 5, 6}, {7, 8, 9.25}};
+
+// robustness 5
+TEST(ReadXyz, SeparatorsLineEndsAndCommentsDoNotMatter) {
+  const std::string text = kText;
+  const std::string comment = std::string("# ").append(1 << 20, 'c').append("\n");
+  for (const std::string& bytes :
+       {text, with_all(text, " ", "\t"), with_all(text, " ", ","), with_all(text, " ", " , "), with_all(text, " ", ";"),
+        with_all(text, "\n", "\r\n"), with_all(text, "\n", "\r"), with_all(text, "\n", " 17 red\n\n"), comment + text,
+        with(text, "4", "  # four\n4"), std::string("\xef\xbb\xbf").append(text)}) {
+    const CloudFile file = parse("a.xyz", bytes);
+    EXPECT_EQ(file.cloud.points, kPoints) << bytes.substr(0, 100);
+    EXPECT_THAT(file.report.warnings, ::testing::IsEmpty());
+    EXPECT_EQ(file.report.num_declared, 3u);
+  }
+}
+
+TEST(ReadXyz, AHeaderNamesTheColumns) {
+  const CloudFile file = parse("a.csv", "Intensity,Z,Y,X,nx,ny,nz\n9,3,2,1,0,0,2\n9,6,5,4,0,0,0\n9,9.25,8,7,1,0,0\n");
+  EXPECT_EQ(file.cloud.points, kPoints);
+  EXPECT_EQ(file.cloud.directions, (Points{{0, 0, 1}, {0, 0, 0}, {1, 0, 0}}));
+  EXPECT_EQ(parse("a.txt", std::string("//X Y Z\n") + kText).cloud.points, kPoints);
+  EXPECT_EQ(parse("a.csv", std::string("x , y , z\n") + with_all(kText, " ", " , ")).cloud.points, kPoints);
+}
+
+// robustness 3
+TEST(ReadXyz, ASingleNumberFirstIsTheCount) {
+  EXPECT_EQ(parse("a.pts", std::string("3\n") + kText).cloud.points, kPoints);
+  const CloudFile fewer = parse("a.pts", std::string("2\n") + kText);
+  EXPECT_EQ(fewer.report.num_declared, 2u);
+  EXPECT_THAT(fewer.report.warnings, ::testing::ElementsAre("lines after the declared points were not read"));
+  expect_refused("a.pts", std::string("4\n") + kText, "expected 4 points");
+}
+
+// robustness 1. Without a count, a file cut between lines is a shorter file.
+TEST(ReadXyz, CutsWithinALineAreSeen) {
+  testing::expect_cuts_are_seen("a.pts", std::string("3\n") + kText);
+  const std::string text = kText;
+  for (std::size_t length = 1; length < text.size(); ++length) {
+    if (text[length - 1] == '\n') continue;
+    const std::string cut = text.substr(0, length);
+    if (!testing::refusal("a.xyz", cut).empty()) continue;
+    EXPECT_EQ(parse("a.xyz", cut).report.warnings.size(), 1u) << length;
+  }
+}
+
+// robustness 2
+TEST(ReadXyz, CountsThatCannotBeAreErrors) {
+  for (const char* count :
+       {"0", "-1", "30", "2147483647", "4294967296", "9223372036854775808", "1000000000", "nan", "3.0"})
+    expect_refused("a.pts", std::string(count) + "\n" + kText, "a.pts: ");
+  EXPECT_THAT(testing::refusal("a.xyz", kText, {.max_points = 2}), ::testing::HasSubstr("expected at most 2 points"));
+}
+
+// robustness 4, 6
+TEST(ReadXyz, LinesThatAreNoPointAreErrors) {
+  const std::pair<std::string, const char*> cases[] = {
+      {"", "holds no points"},
+      {"# nothing\n\n", "holds no points"},
+      {"x y z\n", "holds no points"},
+      {"x y w\n1 2 3\n", "expected a column 'z', found none"},
+      {"x y z x\n1 2 3 4\n", "expected one column 'x', found a second"},
+      {"1 2\n", "line 1: expected at least 3 values, found 2: '1 2'"},
+      {"1 2 3\n4 five 6\n", "line 2: expected a number, found 'five'"},
+      {"1 2 3\n\n#\n4 5\n", "line 4: expected at least 3 values"},
+      {"1,5 2,5 3,5\n", "line 1: expected a number, found '5 2'"},
+      {"1,5;2,5;3,5\n", "a column 'x', found none"},
+      {"1;2;3\n1,5;2;3\n", "line 2: expected a number, found '1,5'"},
+      {"1,,3\n", "line 1: expected a number, found ''"},
+      {"nan nan nan\ninf 0 0\n1e308 0 0\n", "none of its 3 points is finite"},
+      {std::string("1 2 3\n\0\0\0", 9), "byte 6: expected text, found a zero byte"}};
+  for (const auto& [bytes, message] : cases) expect_refused("a.xyz", bytes, message);
+}
+
+TEST(ReadXyz, FarCoordinatesLoseNothing) { testing::expect_far_coordinates_survive("a.xyz", testing::rows_of_three); }
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/write_cloud.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <stdexcept>
+
+#include "augicp/io/read_cloud.h"
+#include "augicp/testing/matchers.h"
+#include "augicp/testing/poses.h"
+#include "augicp/testing/temporary_folder.h"
+
+namespace augicp {
+namespace {
+
+Cloud random_cloud(const Vec3d& origin, bool has_directions) {
+  std::mt19937 generator(11);
+  Cloud cloud;
+  cloud.origin = origin;
+  for (int i = 0; i < 500; ++i) {
+    cloud.points.push_back((10.0 * testing::random_direction(generator)).cast<float>());
+    if (!has_directions) continue;
+    const auto structure = static_cast<Structure>(i % 3);
+    cloud.structures.push_back(structure);
+    cloud.directions.push_back(structure == Structure::None
+                                   ? Vec3f(Vec3f::Zero())
+                                   : Vec3f(testing::random_direction(generator).cast<float>()));
+  }
+  return cloud;
+}
+
+void write(const std::filesystem::path& path, const Cloud& cloud, FileEncoding encoding) {
+  if (path.extension() == ".ply") return write_ply(path, cloud, {}, encoding);
+  write_pcd(path, cloud, encoding);
+}
+
+void expect_equal(const Cloud& found, const Cloud& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  EXPECT_EQ(found.structures, expected.structures);
+  EXPECT_EQ(found.has_directions(), expected.has_directions());
+  if (expected.origin.isZero(0.0)) {
+    EXPECT_EQ(found.points, expected.points);
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    // The origin may be another, and float then rounds elsewhere: of 10 m, to a micrometre.
+    const Vec3d place = expected.origin + expected.points[i].cast<double>();
+    EXPECT_THAT(found.origin + found.points[i].cast<double>(), testing::NearVector(place, 1e-6));
+    if (found.has_directions()) {
+      EXPECT_LE((found.directions[i] - expected.directions[i]).norm(), 1e-7f);  // normalised again
+    }
+  }
+}
+
+constexpr const char* kNames[] = {"cloud.ply", "cloud.pcd"};
+constexpr FileEncoding kEncodings[] = {FileEncoding::Binary, FileEncoding::Ascii};
+
+// robustness 6
+TEST(WriteCloud, WriteThenReadIsIdentity) {
+  const testing::TemporaryFolder folder;
+  for (const char* name : kNames)
+    for (const FileEncoding encoding : kEncodings)
+      for (const bool has_directions : {false, true})
+        for (const double offset : {0.0, 1024.0, 1e6, 1e7}) {
+          SCOPED_TRACE(std::string(name) + (encoding == FileEncoding::Ascii ? " ascii " : " binary ") +
+                       std::to_string(offset));
+          const Cloud cloud = random_cloud(Vec3d(offset, -offset, 0.5 * offset), has_directions);
+          write(folder / name, cloud, encoding);
+          const CloudFile file = read_cloud(folder / name);
+          expect_equal(file.cloud, cloud);
+          EXPECT_THAT(file.report.warnings, ::testing::IsEmpty());
+        }
+}
+
+// robustness 6
+TEST(WriteCloud, TheLocaleDoesNotMatter) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr && std::setlocale(LC_ALL, "de_DE.utf8") == nullptr)
+    GTEST_SKIP() << "locale de_DE.UTF-8 is not installed";
+  const testing::TemporaryFolder folder;
+  const Cloud cloud = random_cloud(Vec3d(1e6, 0.5, 0.0), true);
+  for (const char* name : kNames) {
+    write(folder / name, cloud, FileEncoding::Ascii);
+    expect_equal(read_cloud(folder / name).cloud, cloud);
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(WriteCloud, ColoursFollowThePositions) {
+  const testing::TemporaryFolder folder;
+  Cloud cloud;
+  cloud.points = {{1, 2, 3}, {0.1f, 0, -1}};
+  write_ply(folder / "c.ply", cloud, std::vector<Colour>{{255, 0, 1}, {2, 3, 4}}, FileEncoding::Ascii);
+  EXPECT_EQ(
+      read_bytes(folder / "c.ply").bytes,
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n1 2 3 255 0 1\n0.1 0 -1 2 3 4\n");
+}
+
+TEST(WriteCloud, PcdKeepsTheViewpoint) {
+  const testing::TemporaryFolder folder;
+  Cloud cloud = random_cloud(Vec3d(1e6, 0.0, 0.0), false);
+  cloud.viewpoint = Vec3f(0.5f, 1.5f, -20.0f);
+  write_pcd(folder / "c.pcd", cloud);
+  const Cloud found = read_cloud(folder / "c.pcd").cloud;
+  ASSERT_TRUE(found.viewpoint);
+  EXPECT_EQ(Vec3d(found.origin + found.viewpoint->cast<double>()), Vec3d(1e6 + 0.5, 1.5, -20.0));
+}
+
+TEST(WriteCloud, ArgumentsAreChecked) {
+  const testing::TemporaryFolder folder;
+  const Cloud cloud = random_cloud(Vec3d::Zero(), false);
+  EXPECT_THROW(write_cloud(folder / "c.ply", Cloud{}), std::invalid_argument);
+  EXPECT_THROW(write_ply(folder / "c.ply", cloud, std::vector<Colour>(3)), std::invalid_argument);
+  EXPECT_THROW(write_cloud(folder / "c.xyz", cloud), IoError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// robustness 9
+TEST(WriteCloud, AFullDiskIsAnErrorAndLeavesNothing) {
+  const testing::TemporaryFolder folder;
+  const Cloud cloud = random_cloud(Vec3d::Zero(), true);
+  EXPECT_THROW(write_cloud(folder / "absent" / "c.ply", cloud), IoError);
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_THROW(write_ply("/dev/full", cloud), IoError);
+  EXPECT_THROW(write_pcd("/dev/full", cloud), IoError);
+}
+
+}  // namespace
+}  // namespace augicp
