@@ -7,7 +7,7 @@
 namespace augicp {
 namespace {
 
-// K and the lever must stay above zero for a perfect fit, whose medians are zero.
+// K must stay above zero for a perfect fit, whose median is zero.
 constexpr double kTiny = 1e-30;
 
 double median(std::vector<float> values) {
@@ -19,15 +19,15 @@ double median(std::vector<float> values) {
 
 // The lever at which both parts of a typical pair's chi2 are alike.
 double measured_lever(const PairChi2& chi2, double max_lever) {
-  std::vector<float> position, direction;
+  std::vector<float> position, direction;  // of the pairs that compare directions
   for (std::size_t k = 0; k < chi2.position.size(); ++k) {
     if (chi2.direction[k] < 0.0f) continue;
     position.push_back(chi2.position[k]);
     direction.push_back(chi2.direction[k]);
   }
-  if (direction.empty()) return 0.0;
   const double of_position = median(std::move(position)), of_direction = median(std::move(direction));
-  return std::min(max_lever, std::sqrt(of_position / std::max(of_direction, kTiny)));
+  if (!(of_direction > 0.0)) return 0.0;  // no information on directions, or nothing left to learn from them
+  return std::min(max_lever, std::sqrt(of_position / of_direction));
 }
 
 }  // namespace
