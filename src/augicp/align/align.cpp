@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/align/align.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -37,9 +38,9 @@ struct Pass {
 };
 
 // Sets the status that forbids a step, if one does.
-bool has_enough_pairs(const Cloud& source, AlignResult& result) {
+bool has_enough_pairs(const Cloud& source, const Cloud& target, AlignResult& result) {
   result.overlap = source.empty() ? 0.0 : static_cast<double>(result.num_pairs) / static_cast<double>(source.size());
-  if (source.size() < kMinPairs) {
+  if (std::min(source.size(), target.size()) < kMinPairs) {
     result.status = AlignStatus::TooFewPairs;
   } else if (result.num_pairs < static_cast<std::int64_t>(kMinPairs) || result.overlap < kMinOverlap) {
     result.status = AlignStatus::NoOverlap;
@@ -95,7 +96,7 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
     pass.pairs = matcher.match(source, pose, options.gates, options.num_threads);
     result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
-    if (!has_enough_pairs(source, result)) break;
+    if (!has_enough_pairs(source, target, result)) break;
     linearize_pass(source, target, pose, options, pass);
     const Vec6d step = damped_step(pass.equations, options.damping);
     if (!step.allFinite()) {
