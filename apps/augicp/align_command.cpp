@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <numbers>
+#include <system_error>
 
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
@@ -36,7 +37,8 @@ class Stopwatch {
 
 Rigid3 initial_pose(const std::string& argument) {
   if (argument.empty()) return {};
-  return std::filesystem::exists(argument) ? read_transform(argument) : parse_transform(argument);
+  std::error_code not_a_path;  // numbers may be longer than a file name can be
+  return std::filesystem::exists(argument, not_a_path) ? read_transform(argument) : parse_transform(argument);
 }
 
 AlignReport register_files(const AlignArguments& arguments, Scan& source_as_read) {

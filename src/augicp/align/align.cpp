@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "augicp/align/damped_step.h"
+#include "augicp/align/median.h"
 #include "augicp/align/weighing.h"
 #include "augicp/core/check.h"
+#include "augicp/core/parallel.h"
 
 namespace augicp {
 namespace {
@@ -18,11 +20,31 @@ constexpr std::size_t kMinPairs = 6;
 // With fewer source points than this share in reach of the target, what little touches says nothing.
 constexpr double kMinOverlap = 0.02;
 
-double rmse_of(const Cloud& source, const Cloud& target, const std::vector<Correspondence>& pairs, const Rigid3& pose) {
-  double sum_sq = 0.0;
-  for (const Correspondence& pair : pairs)
-    sum_sq += (target.points[pair.target].cast<double>() - pose * source.points[pair.source].cast<double>()).squaredNorm();
-  return pairs.empty() ? 0.0 : std::sqrt(sum_sq / static_cast<double>(pairs.size()));
+std::vector<float> squared_distances(const Cloud& source, const Cloud& target, const std::vector<Correspondence>& pairs,
+                                     const Rigid3& pose, int num_threads) {
+  const Eigen::Matrix3f rotation = pose.rotation.toRotationMatrix().cast<float>();
+  const Vec3f translation = pose.translation.cast<float>();
+  std::vector<float> distances_sq(pairs.size());
+  for_each_block(pairs.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Vec3f moved = rotation * source.points[pairs[k].source] + translation;
+      distances_sq[k] = (target.points[pairs[k].target] - moved).squaredNorm();
+    }
+  });
+  return distances_sq;
+}
+
+double root_mean(const std::vector<float>& squares) {
+  double sum = 0.0;
+  for (float square : squares) sum += static_cast<double>(square);
+  return squares.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(squares.size()));
+}
+
+// The gate for the next iteration, see AlignOptions::gate_per_median.
+double closed_gate(double gate, std::vector<float> distances_sq, const AlignOptions& options) {
+  if (distances_sq.empty() || !std::isfinite(options.gate_per_median)) return gate;
+  const double typical = std::sqrt(median(std::move(distances_sq)));
+  return std::min(gate, std::max(options.gate_per_median * typical, options.min_max_distance));
 }
 
 bool is_small(const Vec6d& step, const AlignOptions& options) {
@@ -70,6 +92,8 @@ void AlignOptions::check() const {
   if (lever) require_not_negative("lever", *lever);
   require(max_lever >= 0.0, "max_lever", max_lever, "must be at least 0");
   if (kernel_chi2) require(*kernel_chi2 > 0.0, "kernel_chi2", *kernel_chi2, "must be above 0");
+  require(gate_per_median > 0.0, "gate_per_median", gate_per_median, "must be above 0");
+  require_not_negative("min_max_distance", min_max_distance);
   require_positive("kernel_per_median", kernel_per_median);
   require_not_negative("damping", damping);
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
@@ -93,8 +117,9 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   result.status = AlignStatus::IterationLimit;
   Rigid3 pose = without_origins(initial_target_from_source, source, target);
   Pass pass;
+  Gates gates = options.gates;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
-    pass.pairs = matcher.match(source, pose, options.gates, options.num_threads);
+    pass.pairs = matcher.match(source, pose, gates, options.num_threads);
     result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
     if (!has_enough_pairs(source, target, result)) break;
     linearize_pass(source, target, pose, options, pass);
@@ -104,6 +129,9 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
       break;
     }
     pose = retract(pose, step);
+    std::vector<float> distances_sq = squared_distances(source, target, pass.pairs, pose, options.num_threads);
+    result.rmse = root_mean(distances_sq);
+    gates.max_distance = closed_gate(gates.max_distance, std::move(distances_sq), options);
     ++result.iterations;
     result.information = pass.equations.H;
     result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,
@@ -111,7 +139,6 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
     if (is_small(step, options)) result.status = AlignStatus::Converged;
   }
   result.target_from_source = with_origins(pose, source, target);
-  result.rmse = rmse_of(source, target, pass.pairs, pose);
   const bool reached = result.status == AlignStatus::Converged || result.status == AlignStatus::IterationLimit;
   if (reached) judge_observability(source, target, pose, pass, options, result);
   return result;

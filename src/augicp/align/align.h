@@ -15,6 +15,12 @@ struct AlignOptions {
   InformationModel information = default_information();
   Gates gates;
 
+  // The gate on distance closes as the clouds meet: to this many times the median distance within the last iteration's
+  // pairs, but not below min_max_distance (metres), and never opens again. Infinity: it stays as it is. Without it, parts
+  // of the source that the target never saw keep pulling from as far as the first gate reaches.
+  double gate_per_median = std::numeric_limits<double>::infinity();
+  double min_max_distance = 0.0;
+
   // How the linear part of the error weighs against the position, see with_lever(). Set: fixed, and 1 m is Table 2 as
   // printed. Not set: what the pairs of each iteration show, the ratio of the median errors of positions and directions,
   // but at most max_lever (metres): the farther apart the clouds, the less a pair's direction says too.

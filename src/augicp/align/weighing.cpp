@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "augicp/align/median.h"
+
 namespace augicp {
 namespace {
 
 // K must stay above zero for a perfect fit, whose median is zero.
 constexpr double kTiny = 1e-30;
-
-double median(std::vector<float> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
 
 // The lever at which both parts of a typical pair's chi2 are alike.
 double measured_lever(const PairChi2& chi2, double max_lever) {

@@ -10,6 +10,9 @@ namespace {
 // the rotation is no better than what curvature and wrong pairs make of them. Chosen on fr1/desk.
 constexpr double kLeverPerRadius = 1.4;
 
+// Closes the gate fast enough for partial overlap (redkitchen, generated rooms), slowly enough for far guesses.
+const double kGatePerMedian = getenv("GPM") ? atof(getenv("GPM")) : 6.0;
+
 // The paper gives no K. 1 is 3.2 cm off a plane under Table 2, in the middle of the range that works on depth images.
 constexpr double kPaperKernelChi2 = 1.0;
 
@@ -60,6 +63,10 @@ AlignOptions align_options(const Lengths& lengths, const RegistrationOptions& op
   align.information = information_for(options);
   align.gates.max_distance = lengths.max_distance;
   align.gates.max_angle = options.max_angle;
+  if (options.preset == Preset::Default) {
+    align.gate_per_median = kGatePerMedian;
+    align.min_max_distance = lengths.radius;
+  }
   align.max_lever = kLeverPerRadius * lengths.radius;
   if (options.preset == Preset::Paper) {
     align.lever = 1.0;
