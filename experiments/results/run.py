@@ -14,7 +14,7 @@ import scans
 import tum
 from command import Align
 
-SEQUENCES = ("fr1_desk_a", "fr1_rpy_a", "fr1_xyz_a")
+SEQUENCES = ("fr1_desk_a", "fr1_rpy_a")
 GAPS = (1, 10)
 
 

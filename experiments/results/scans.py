@@ -6,7 +6,7 @@ import numpy as np
 
 from motions import error, from_axis_angle, from_quaternion, read_rows
 
-STARTS = 3  # disturbed guesses of each pair
+STARTS = 10  # disturbed guesses of each pair
 OVERLAP_M = 0.001  # bunny: nearer than this under the truth counts as overlapping; points are 0.5 mm apart
 
 

@@ -12,8 +12,6 @@ OFFSETS_S = (-0.022, 0.0)
 METHODS = {
     "augmented": (),
     "gicp": ("--method", "gicp"),
-    "plane": ("--method", "plane"),
-    "point": ("--method", "point"),
     "paper preset, augmented": ("--preset", "paper"),
     "paper preset, gicp": ("--preset", "paper", "--method", "gicp"),
 }

@@ -73,7 +73,8 @@ bool has_enough_pairs(const Cloud& source, const Cloud& target, AlignResult& res
 void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose, const AlignOptions& options, Pass& pass) {
   const PairChi2 chi2 = chi2_of_pairs(source, target, pass.pairs, pose, options.information, options.num_threads);
   pass.weighing = weigh_pairs(chi2, options);
-  pass.objective = {with_lever(options.information, pass.weighing.lever), pass.weighing.kernel_chi2};
+  pass.objective = {with_lever(options.information, pass.weighing.lever), pass.weighing.kernel_chi2,
+                    pass.weighing.kernel_direction_chi2};
   pass.equations = linearize(source, target, pass.pairs, pose, pass.objective, options.num_threads);
 }
 
@@ -95,6 +96,8 @@ void AlignOptions::check() const {
   require(gate_per_median > 0.0, "gate_per_median", gate_per_median, "must be above 0");
   require_not_negative("min_max_distance", min_max_distance);
   require_positive("kernel_per_median", kernel_per_median);
+  require(kernel_direction_per_median > 0.0, "kernel_direction_per_median", kernel_direction_per_median,
+          "must be above 0");
   require_not_negative("damping", damping);
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
   require_not_negative("min_translation_step", min_translation_step);

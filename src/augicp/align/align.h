@@ -32,6 +32,10 @@ struct AlignOptions {
   std::optional<double> kernel_chi2;
   double kernel_per_median = 8.0;
 
+  // The kernel of the direction's part alone, as many times its own median. Most directions of wrong pairs are random:
+  // they show no rotation, and would only hold the first steps back. Infinity: off, as in the paper.
+  double kernel_direction_per_median = 1.0;
+
   // lambda of Eq. (10), as a part of the mean diagonal of H's translation and rotation block each.
   double damping = 1e-6;
 

@@ -139,14 +139,17 @@ Robust robust(double chi2, double kernel_chi2) {
 NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                           const Rigid3& target_from_source, const Objective& objective, int num_threads) {
   require(objective.kernel_chi2 > 0.0, "kernel_chi2", objective.kernel_chi2, "must be above 0");
+  require(objective.kernel_direction_chi2 > 0.0, "kernel_direction_chi2", objective.kernel_direction_chi2,
+          "must be above 0");
   const PairErrors errors(source, target, target_from_source, objective.information);
   const BlockSums sums = blocked_sum<BlockSums>(pairs.size(), num_threads, [&](std::size_t begin, std::size_t end) {
     BlockSums block;
     for (const Correspondence& pair : pairs.subspan(begin, end - begin)) {
       const PairError e = errors.of(pair);
-      const auto [gamma, loss] = robust(position_chi2(e) + direction_chi2(e), objective.kernel_chi2);
+      const Robust direction = robust(direction_chi2(e), objective.kernel_direction_chi2);
+      const auto [gamma, loss] = robust(position_chi2(e) + direction.loss, objective.kernel_chi2);
       block.add_position(e, gamma);
-      block.add_direction(e, gamma);
+      block.add_direction(e, gamma * direction.gamma);
       block.cost += 0.5 * loss;
     }
     return block;

@@ -26,6 +26,10 @@ struct Objective {
 
   // K: a pair whose chi2 is above counts with gamma = K / chi2. In units of chi2, above 0.
   double kernel_chi2 = std::numeric_limits<double>::infinity();
+
+  // The same for the direction's part alone, before it enters chi2: two directions may be unlike (clutter, a wrong pair)
+  // where the positions fit well.
+  double kernel_direction_chi2 = std::numeric_limits<double>::infinity();
 };
 
 // H, b and cost over the pairs. Points of both clouds are taken without their origins. A linear part counts where both

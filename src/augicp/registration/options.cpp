@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/registration/options.h"
 
+#include <limits>
+
 #include "augicp/core/check.h"
 
 namespace augicp {
@@ -11,7 +13,7 @@ namespace {
 constexpr double kLeverPerRadius = 1.4;
 
 // Closes the gate fast enough for partial overlap (redkitchen, generated rooms), slowly enough for far guesses.
-const double kGatePerMedian = getenv("GPM") ? atof(getenv("GPM")) : 6.0;
+constexpr double kGatePerMedian = 4.0;
 
 // The paper gives no K. 1 is 3.2 cm off a plane under Table 2, in the middle of the range that works on depth images.
 constexpr double kPaperKernelChi2 = 1.0;
@@ -71,6 +73,7 @@ AlignOptions align_options(const Lengths& lengths, const RegistrationOptions& op
   if (options.preset == Preset::Paper) {
     align.lever = 1.0;
     align.kernel_chi2 = kPaperKernelChi2;
+    align.kernel_direction_per_median = std::numeric_limits<double>::infinity();
   }
   align.max_iterations = options.max_iterations;
   align.min_translation_step = options.min_step * lengths.extent;
