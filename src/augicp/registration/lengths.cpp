@@ -33,8 +33,6 @@ Vec3f median_point(const Cloud& cloud) {
   return median;
 }
 
-}  // namespace
-
 std::vector<float> distances_from(const Vec3f& centre, const Cloud& cloud) {
   std::vector<float> distances(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) distances[i] = (cloud.points[i] - centre).norm();
