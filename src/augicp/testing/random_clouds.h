@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "augicp/cloud/cloud.h"
+
+namespace augicp::testing {
+
+// Points uniform in a cube about zero, without directions.
+Cloud random_points(std::size_t count, double half_extent_m, unsigned seed);
+
+// The same with random directions and weights in (0.1, 1], every structure by turns, and a viewpoint. Nothing ties the
+// directions to a surface or to the viewpoint: for what must hold whatever they are.
+Cloud random_extended_points(std::size_t count, double half_extent_m, unsigned seed);
+
+}  // namespace augicp::testing
