@@ -49,7 +49,8 @@ Cloud points_on_a_line() {
 Cloud grid() {
   Cloud cloud;
   for (int i = 0; i < 512; ++i)
-    cloud.points.emplace_back(static_cast<float>(i % 8 - 4), static_cast<float>(i / 8 % 8 - 4), static_cast<float>(i / 64 - 4));
+    cloud.points.emplace_back(static_cast<float>(i % 8 - 4), static_cast<float>(i / 8 % 8 - 4),
+                              static_cast<float>(i / 64 - 4));
   return cloud;
 }
 
@@ -60,9 +61,14 @@ Cloud with_outlier() {
 }
 
 std::vector<Case> awkward_clouds() {
-  return {{"random", random_points(2000, 1.0, 1)}, {"empty", {}},         {"one point", random_points(1, 1.0, 2)},
-          {"equal points", equal_points(5000)},    {"ties", grid()},      {"a line", points_on_a_line()},
-          {"an outlier", with_outlier()},          {"two points", random_points(2, 1.0, 4)}};
+  return {{"random", random_points(2000, 1.0, 1)},
+          {"empty", {}},
+          {"one point", random_points(1, 1.0, 2)},
+          {"equal points", equal_points(5000)},
+          {"ties", grid()},
+          {"a line", points_on_a_line()},
+          {"an outlier", with_outlier()},
+          {"two points", random_points(2, 1.0, 4)}};
 }
 
 std::vector<Vec3f> queries() {

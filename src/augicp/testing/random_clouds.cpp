@@ -11,7 +11,8 @@ Cloud random_points(std::size_t count, double half_extent_m, unsigned seed) {
   std::mt19937 generator(seed);
   Cloud cloud;
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = uniform(generator, -half_extent_m, half_extent_m), y = uniform(generator, -half_extent_m, half_extent_m);
+    const double x = uniform(generator, -half_extent_m, half_extent_m),
+                 y = uniform(generator, -half_extent_m, half_extent_m);
     cloud.points.push_back(Vec3d(x, y, uniform(generator, -half_extent_m, half_extent_m)).cast<float>());
   }
   return cloud;
@@ -29,6 +30,16 @@ Cloud random_extended_points(std::size_t count, double half_extent_m, unsigned s
   }
   cloud.viewpoint = random_direction(generator).cast<float>();
   return cloud;
+}
+
+std::vector<Correspondence> random_pairs(std::size_t num_pairs, std::size_t num_points, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::vector<Correspondence> pairs;
+  for (std::size_t k = 0; k < num_pairs; ++k) {
+    const auto source = static_cast<std::uint32_t>(generator() % num_points);
+    pairs.push_back({source, static_cast<std::uint32_t>(generator() % num_points)});
+  }
+  return pairs;
 }
 
 }  // namespace augicp::testing
