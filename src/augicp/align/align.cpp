@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/align/align.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "augicp/align/damped_step.h"
 #include "augicp/align/weighing.h"
@@ -22,6 +24,14 @@ double rmse_of(const Cloud& source, const Cloud& target, const std::vector<Corre
   for (const Correspondence& pair : pairs)
     sum_sq += (target.points[pair.target].cast<double>() - pose * source.points[pair.source].cast<double>()).squaredNorm();
   return pairs.empty() ? 0.0 : std::sqrt(sum_sq / static_cast<double>(pairs.size()));
+}
+
+// What keeps these pairs from giving a pose, if anything does. Many pairs may still be with a few target points only.
+std::optional<AlignStatus> lack_of(const Cloud& source, const Cloud& target, std::int64_t num_pairs, double overlap) {
+  if (std::min(source.size(), target.size()) < kMinPairs) return AlignStatus::TooFewPairs;
+  if (overlap < kMinOverlap) return AlignStatus::NoOverlap;
+  if (num_pairs < kMinPairs) return AlignStatus::TooFewPairs;
+  return std::nullopt;
 }
 
 bool is_small(const Vec6d& step, const AlignOptions& options) {
@@ -63,8 +73,8 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
     pairs = matcher.match(source, pose, options.gates, options.num_threads);
     result.num_pairs = static_cast<std::int64_t>(pairs.size());
     result.overlap = source.empty() ? 0.0 : static_cast<double>(pairs.size()) / static_cast<double>(source.size());
-    if (result.num_pairs < kMinPairs || result.overlap < kMinOverlap) {
-      result.status = result.num_pairs < kMinPairs && !source.empty() ? AlignStatus::NoOverlap : AlignStatus::TooFewPairs;
+    if (const auto lack = lack_of(source, target, result.num_pairs, result.overlap)) {
+      result.status = *lack;
       break;
     }
     const PairChi2 chi2 = chi2_of_pairs(source, target, pairs, pose, options.information, options.num_threads);
