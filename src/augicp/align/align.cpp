@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "augicp/align/damped_step.h"
 #include "augicp/align/weighing.h"
@@ -14,7 +13,7 @@ namespace augicp {
 namespace {
 
 // Three points fix a motion where each gives three numbers; planes give one each, so six pairs are the least.
-constexpr std::int64_t kMinPairs = 6;
+constexpr std::size_t kMinPairs = 6;
 
 // With fewer source points than this share in reach of the target, what little touches says nothing.
 constexpr double kMinOverlap = 0.02;
@@ -26,16 +25,41 @@ double rmse_of(const Cloud& source, const Cloud& target, const std::vector<Corre
   return pairs.empty() ? 0.0 : std::sqrt(sum_sq / static_cast<double>(pairs.size()));
 }
 
-// What keeps these pairs from giving a pose, if anything does. Many pairs may still be with a few target points only.
-std::optional<AlignStatus> lack_of(const Cloud& source, const Cloud& target, std::int64_t num_pairs, double overlap) {
-  if (std::min(source.size(), target.size()) < kMinPairs) return AlignStatus::TooFewPairs;
-  if (overlap < kMinOverlap) return AlignStatus::NoOverlap;
-  if (num_pairs < kMinPairs) return AlignStatus::TooFewPairs;
-  return std::nullopt;
-}
-
 bool is_small(const Vec6d& step, const AlignOptions& options) {
   return step.head<3>().norm() < options.min_translation_step && step.tail<3>().norm() < options.min_rotation_step;
+}
+
+// One pass of the loop of section 3.3, from a pose to its step; everything but the points themselves.
+struct Pass {
+  std::vector<Correspondence> pairs;
+  Weighing weighing;
+  Objective objective;
+  NormalEquations equations;
+};
+
+// Sets the status that forbids a step, if one does.
+bool has_enough_pairs(const Cloud& source, const Cloud& target, AlignResult& result) {
+  result.overlap = source.empty() ? 0.0 : static_cast<double>(result.num_pairs) / static_cast<double>(source.size());
+  if (std::min(source.size(), target.size()) < kMinPairs) {
+    result.status = AlignStatus::TooFewPairs;
+  } else if (result.num_pairs < static_cast<std::int64_t>(kMinPairs) || result.overlap < kMinOverlap) {
+    result.status = AlignStatus::NoOverlap;
+  }
+  return result.status == AlignStatus::IterationLimit;
+}
+
+void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose, const AlignOptions& options, Pass& pass) {
+  const PairChi2 chi2 = chi2_of_pairs(source, target, pass.pairs, pose, options.information, options.num_threads);
+  pass.weighing = weigh_pairs(chi2, options);
+  pass.objective = {with_lever(options.information, pass.weighing.lever), pass.weighing.kernel_chi2};
+  pass.equations = linearize(source, target, pass.pairs, pose, pass.objective, options.num_threads);
+}
+
+// A pose was reached; is every direction of it held by the pairs it came from?
+void judge_observability(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass,
+                         const AlignOptions& options, AlignResult& result) {
+  result.observability = observability(source, target, pass.pairs, pose, pass.objective, options.num_threads);
+  if (result.observability.weakest() < options.min_observability) result.status = AlignStatus::Degenerate;
 }
 
 }  // namespace
@@ -51,6 +75,7 @@ void AlignOptions::check() const {
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
   require_not_negative("min_translation_step", min_translation_step);
   require_not_negative("min_rotation_step", min_rotation_step);
+  require_not_negative("min_observability", min_observability);
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }
 
@@ -65,36 +90,30 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   options.check();
   const Cloud& target = matcher.target();
   AlignResult result;
-  result.target_from_source = initial_target_from_source;
   result.status = AlignStatus::IterationLimit;
   Rigid3 pose = without_origins(initial_target_from_source, source, target);
-  std::vector<Correspondence> pairs;
+  Pass pass;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
-    pairs = matcher.match(source, pose, options.gates, options.num_threads);
-    result.num_pairs = static_cast<std::int64_t>(pairs.size());
-    result.overlap = source.empty() ? 0.0 : static_cast<double>(pairs.size()) / static_cast<double>(source.size());
-    if (const auto lack = lack_of(source, target, result.num_pairs, result.overlap)) {
-      result.status = *lack;
-      break;
-    }
-    const PairChi2 chi2 = chi2_of_pairs(source, target, pairs, pose, options.information, options.num_threads);
-    const Weighing weighing = weigh_pairs(chi2, options);
-    const Objective objective{with_lever(options.information, weighing.lever), weighing.kernel_chi2};
-    const NormalEquations equations = linearize(source, target, pairs, pose, objective, options.num_threads);
-    const Vec6d step = damped_step(equations, options.damping);
+    pass.pairs = matcher.match(source, pose, options.gates, options.num_threads);
+    result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
+    if (!has_enough_pairs(source, target, result)) break;
+    linearize_pass(source, target, pose, options, pass);
+    const Vec6d step = damped_step(pass.equations, options.damping);
     if (!step.allFinite()) {
       result.status = AlignStatus::Diverged;
       break;
     }
     pose = retract(pose, step);
     ++result.iterations;
-    result.information = equations.H;
-    result.history.push_back(
-        {with_origins(pose, source, target), result.num_pairs, equations.cost, weighing.kernel_chi2, weighing.lever});
+    result.information = pass.equations.H;
+    result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,
+                              pass.weighing.kernel_chi2, pass.weighing.lever});
     if (is_small(step, options)) result.status = AlignStatus::Converged;
   }
   result.target_from_source = with_origins(pose, source, target);
-  result.rmse = rmse_of(source, target, pairs, pose);
+  result.rmse = rmse_of(source, target, pass.pairs, pose);
+  const bool reached = result.status == AlignStatus::Converged || result.status == AlignStatus::IterationLimit;
+  if (reached) judge_observability(source, target, pose, pass, options, result);
   return result;
 }
 

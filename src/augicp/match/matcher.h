@@ -41,13 +41,15 @@ class NearestMatcher : public Matcher {
 // paired with the target point of that pixel.
 class ProjectiveMatcher : public Matcher {
  public:
-  ProjectiveMatcher(const OrganizedCloud& target, const Pinhole& camera);
-  const Cloud& target() const override { return target_.cloud; }
+  // index: the pixel each point of the target was seen in by the camera; it must outlive the matcher too.
+  ProjectiveMatcher(const Cloud& target, const IndexImage& index, const Pinhole& camera);
+  const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
 
  private:
-  const OrganizedCloud& target_;
+  const Cloud& target_;
+  const IndexImage& index_;
   Pinhole camera_;
 };
 

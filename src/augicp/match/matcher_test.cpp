@@ -145,7 +145,7 @@ TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
     Cloud source = with_some_opposite(source_near(target.cloud, 4));
     drop_unknown_viewpoints(one, source, target.cloud);
     const Rigid3 pose = testing::random_motion(generator, 0.02, 0.02);
-    const auto pairs = ProjectiveMatcher(target, kCamera).match(source, pose, one.gates, 1);
+    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, pose, one.gates, 1);
     EXPECT_EQ(pairs, projective_slowly(source, target, pose, one.gates));
     EXPECT_GT(pairs.size(), 20u);
   }
@@ -153,7 +153,7 @@ TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
 
 TEST(ProjectiveMatcher, AnImagePairsWithItself) {
   const OrganizedCloud target = random_target(5);
-  const auto pairs = ProjectiveMatcher(target, kCamera).match(target.cloud, Rigid3{}, Gates{}, 2);
+  const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(target.cloud, Rigid3{}, Gates{}, 2);
   ASSERT_EQ(pairs.size(), target.cloud.size());
   for (std::uint32_t k = 0; k < pairs.size(); ++k) EXPECT_EQ(pairs[k], (Correspondence{k, k}));
 }
@@ -180,7 +180,7 @@ struct OnePair {
 
   bool passes(const Gates& gates, const Rigid3& pose = {}) const {
     const auto nearest = NearestMatcher(target.cloud).match(source, pose, gates, 1);
-    const auto projective = ProjectiveMatcher(target, kCamera).match(source, pose, gates, 1);
+    const auto projective = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, pose, gates, 1);
     EXPECT_EQ(nearest, projective);
     return !nearest.empty();
   }
@@ -258,7 +258,8 @@ TEST(Gates, BadOnesAreRefused) {
   for (double bad : {0.0, -1.0, std::nan("")}) {
     for (const Gates& gates : {Gates{.max_distance = bad}, Gates{.max_angle = bad}}) {
       EXPECT_THROW(NearestMatcher(pair.target.cloud).match(pair.source, {}, gates, 1), std::invalid_argument);
-      EXPECT_THROW(ProjectiveMatcher(pair.target, kCamera).match(pair.source, {}, gates, 1), std::invalid_argument);
+      EXPECT_THROW(ProjectiveMatcher(pair.target.cloud, pair.target.index, kCamera).match(pair.source, {}, gates, 1),
+                   std::invalid_argument);
     }
   }
 }
@@ -267,8 +268,8 @@ TEST(Matcher, EmptyCloudsGiveNoPairs) {
   const OrganizedCloud target = random_target(6), nothing{{}, IndexImage(64, 48)};
   EXPECT_TRUE(NearestMatcher(target.cloud).match({}, {}, {}, 2).empty());
   EXPECT_TRUE(NearestMatcher(nothing.cloud).match(target.cloud, {}, {}, 2).empty());
-  EXPECT_TRUE(ProjectiveMatcher(target, kCamera).match({}, {}, {}, 2).empty());
-  EXPECT_TRUE(ProjectiveMatcher(nothing, kCamera).match(target.cloud, {}, {}, 2).empty());
+  EXPECT_TRUE(ProjectiveMatcher(target.cloud, target.index, kCamera).match({}, {}, {}, 2).empty());
+  EXPECT_TRUE(ProjectiveMatcher(nothing.cloud, nothing.index, kCamera).match(target.cloud, {}, {}, 2).empty());
 }
 
 TEST(Matcher, SameForAnyNumberOfThreads) {
@@ -277,7 +278,7 @@ TEST(Matcher, SameForAnyNumberOfThreads) {
   const Rigid3 pose{Eigen::Quaterniond::Identity(), Vec3d(0.0, 0.0, 1.2)};
   const Gates gates{.max_distance = 0.2, .max_angle = 0.8, .same_structure = true};
   const NearestMatcher nearest(target.cloud);
-  const ProjectiveMatcher projective(target, kCamera);
+  const ProjectiveMatcher projective(target.cloud, target.index, kCamera);
   for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
     const auto expected = matcher->match(source, pose, gates, 1);
     EXPECT_GT(expected.size(), 100u);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <chrono>
+#include <memory>
+#include <numbers>
+
+#include "apps/augicp/commands.h"
+#include "apps/augicp/inputs.h"
+#include "apps/augicp/names.h"
+#include "apps/augicp/report_result.h"
+#include "augicp/io/transform_file.h"
+#include "augicp/io/write_cloud.h"
+
+namespace augicp::app {
+namespace {
+
+struct AlignArguments {
+  std::string source, target, initial, transform, output, json;
+  InputOptions input;
+  RegistrationOptions registration;
+  double max_angle_deg = RegistrationOptions{}.max_angle * 180.0 / std::numbers::pi;
+  bool trace = false, quiet = false;
+};
+
+// Milliseconds since it was made.
+class Stopwatch {
+ public:
+  double elapsed_ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Rigid3 initial_pose(const std::string& argument) {
+  if (argument.empty()) return {};
+  return std::filesystem::exists(argument) ? read_transform(argument) : parse_transform(argument);
+}
+
+AlignReport register_files(const AlignArguments& arguments, Scan& source_as_read) {
+  AlignReport report;
+  report.source = arguments.source;
+  report.target = arguments.target;
+  report.options = arguments.registration;
+  report.with_history = arguments.trace;
+  const Rigid3 initial = initial_pose(arguments.initial);
+  const Stopwatch reading;
+  source_as_read = read_input(arguments.source, arguments.input).scan;
+  Scan target = read_input(arguments.target, arguments.input).scan;
+  report.timing_ms.read = reading.elapsed_ms();
+  const Stopwatch preparing;
+  report.lengths = lengths_for(source_as_read, target, arguments.registration);
+  const Scan source = prepare(source_as_read, report.lengths, arguments.registration);
+  target = prepare(std::move(target), report.lengths, arguments.registration);
+  report.timing_ms.surface = preparing.elapsed_ms();
+  const Stopwatch aligning;
+  report.result = register_prepared(source, target, initial, report.lengths, arguments.registration);
+  report.timing_ms.align = aligning.elapsed_ms();
+  return report;
+}
+
+ExitCode exit_code_for(AlignStatus status) {
+  switch (status) {
+    case AlignStatus::Converged:
+      return kSuccess;
+    case AlignStatus::IterationLimit:
+    case AlignStatus::Degenerate:
+      return kDoubtful;
+    default:
+      return kRegistrationFailed;
+  }
+}
+
+int run_align(AlignArguments arguments) {
+  arguments.registration.max_angle = arguments.max_angle_deg * std::numbers::pi / 180.0;
+  arguments.registration.check();
+  Scan source;
+  const AlignReport report = register_files(arguments, source);
+  const Rigid3& pose = report.result.target_from_source;
+  if (!arguments.transform.empty()) write_transform(arguments.transform, pose);
+  if (!arguments.output.empty()) write_cloud(arguments.output, transform(source.cloud, pose));
+  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
+  return exit_code_for(report.result.status);
+}
+
+void add_method_options(CLI::App& command, AlignArguments& arguments) {
+  RegistrationOptions& options = arguments.registration;
+  const std::string group = "Method";
+  command.add_option("--preset", options.preset, "default, or paper: the source to the letter (Table 2)")
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))->group(group);
+  command.add_option("--method", options.method, "What is minimised (default augmented)")
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
+  command.add_option("--association", options.association, "How pairs are found (default auto: projective for depth images)")
+      ->transform(CLI::CheckedTransformer(kAssociations).description("{auto,projective,nearest}"))->group(group);
+  command.add_option("--initial", arguments.initial,
+                     "Guess of T_target_source: a file, or \"tx ty tz qx qy qz qw\" (default: identity)")->group(group);
+  command.add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")->group(group);
+  command.add_option("--voxel-size", options.voxel_size, "Thins clouds, metres (default: derived)")->group(group);
+  command.add_option("--max-distance", options.max_distance, "Farther pairs are dropped, metres (default: derived)")->group(group);
+  command.add_option("--max-angle-deg", arguments.max_angle_deg, "Pairs whose directions differ by more are dropped")
+      ->capture_default_str()->group(group);
+  command.add_option("--max-iterations", options.max_iterations)->capture_default_str()->group(group);
+  command.add_option("--min-step", options.min_step, "Smaller steps end it: part of the extent, radians; 0: never")
+      ->capture_default_str()->group(group);
+  command.add_option("--threads", options.num_threads, "0: all; the result is the same for any number")
+      ->capture_default_str()->group(group);
+}
+
+void add_output_options(CLI::App& command, AlignArguments& arguments) {
+  const std::string group = "Output";
+  command.add_option("--transform", arguments.transform, "Write T_target_source as 4x4 text")->group(group);
+  command.add_option("--output", arguments.output, "Write the source moved into the target frame (.ply or .pcd)")->group(group);
+  command.add_option("--json", arguments.json, "Write all results as JSON to a file, or to stdout with -")->group(group);
+  command.add_flag("--trace", arguments.trace, "Include every iteration in the JSON")->group(group);
+  command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
+}
+
+}  // namespace
+
+void add_align_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<AlignArguments>();
+  CLI::App* command = app.add_subcommand("align", "Find the motion between two clouds or depth images");
+  command->add_option("source,--source", arguments->source, "The moving cloud: .ply .pcd .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")->required();
+  command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
+  add_input_options(*command, arguments->input);
+  add_method_options(*command, *arguments);
+  add_output_options(*command, *arguments);
+  command->footer(
+      "The result T_target_source maps source coordinates into the target frame.\n"
+      "Examples:\n"
+      "  augicp align scan_b.ply scan_a.ply --transform T.txt --output b_in_a.ply\n"
+      "  augicp align 000002.png 000001.png --camera tum-fr1 --json -\n"
+      "  augicp align b.pcd a.pcd --initial \"0.1 0 0 0 0 0 1\" --max-distance 0.5 --method gicp");
+  command->callback([arguments, &exit_code] { exit_code = run_align(*arguments); });
+}
+
+}  // namespace augicp::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/inputs.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+
+#include "augicp/io/camera_file.h"
+#include "augicp/io/depth_png.h"
+#include "augicp/io/read_cloud.h"
+
+namespace augicp::app {
+namespace {
+
+Input read_depth_input(const std::filesystem::path& path, const InputOptions& options) {
+  if (options.camera.empty())
+    throw std::invalid_argument(fmt::format("{}: a depth image needs --camera: a file, \"fx fy cx cy\" or one of {}",
+                                            path.string(), fmt::join(camera_names(), " ")));
+  const DepthImage image = read_depth_png(path, options.depth_scale);
+  check_depth_scale(image, path, options.depth_scale);
+  Input input{scan_of(image, read_camera(options.camera)), {}};
+  input.report.format = fmt::format("png depth {} x {}", image.width, image.height);
+  input.report.num_declared = image.depth.size();
+  input.report.num_not_finite = image.depth.size() - input.scan.cloud.size();
+  return input;
+}
+
+}  // namespace
+
+void add_input_options(CLI::App& command, InputOptions& options) {
+  const std::string group = "Input";
+  command.add_option("--camera", options.camera,
+                     fmt::format("For depth images: a file, \"fx fy cx cy\" in pixels, or one of {}",
+                                 fmt::join(camera_names(), " ")))->group(group);
+  command.add_option("--depth-scale", options.depth_scale, "Pixel value of one metre: TUM 5000, most others 1000")
+      ->capture_default_str()->group(group);
+  command.add_option("--bin-columns", options.read.num_bin_columns, "Numbers a point in .bin files: 4 (KITTI) or 3")
+      ->capture_default_str()->group(group);
+  command.add_option("--max-points", options.read.max_points, "Refuse clouds with more points")
+      ->capture_default_str()->group(group);
+}
+
+Input read_input(const std::filesystem::path& path, const InputOptions& options) {
+  if (lower_case_extension(path) == ".png") return read_depth_input(path, options);
+  CloudFile file = read_cloud(path, options.read);
+  for (const std::string& warning : file.report.warnings)
+    fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);
+  return {scan_of(std::move(file.cloud)), std::move(file.report)};
+}
+
+}  // namespace augicp::app

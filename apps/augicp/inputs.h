@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// From the arguments of a subcommand to clouds.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "augicp/io/cloud_file.h"
+#include "augicp/registration/scan.h"
+
+namespace augicp::app {
+
+struct InputOptions {
+  std::string camera;          // name, file or "fx fy cx cy"; for depth images
+  double depth_scale = 5000.0;  // value of a pixel at one metre
+  ReadOptions read;
+};
+
+void add_input_options(CLI::App& command, InputOptions& options);
+
+struct Input {
+  Scan scan;
+  ReadReport report;
+};
+
+// A depth image (.png) or a cloud. Throws IoError, or std::invalid_argument for a depth image without a camera.
+Input read_input(const std::filesystem::path& path, const InputOptions& options);
+
+}  // namespace augicp::app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include "apps/augicp/commands.h"
+#include "augicp/core/error.h"
+
+namespace augicp::app {
+namespace {
+
+int fail(const char* message, ExitCode code) {
+  fmt::print(stderr, "augicp: {}\n", message);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Rigid registration of 3D point clouds with augmented measurements: positions, normals and tangents."};
+  app.set_version_flag("--version", "augicp " AUGICP_VERSION);
+  app.set_config("--config", "", "Read options from a TOML file, a section for each subcommand; flags win over it");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 success, 1 internal error, 2 usage, 3 unreadable input, 4 registration failed,\n"
+             "            5 result found but degenerate or doubtful, 130 interrupted.");
+  int exit_code = kSuccess;
+  add_align_command(app, exit_code);
+  add_info_command(app, exit_code);
+  add_surface_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kSuccess : kUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace augicp::app
+
+int main(int argc, char** argv) {
+  using namespace augicp::app;
+  try {
+    return run(argc, argv);
+  } catch (const augicp::IoError& error) {
+    return fail(error.what(), kInvalidInput);
+  } catch (const std::invalid_argument& error) {
+    return fail(error.what(), kUsage);
+  } catch (const std::exception& error) {
+    return fail(error.what(), kInternalError);
+  }
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The words of the command line for the library's choices.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "augicp/registration/options.h"
+
+namespace augicp::app {
+
+inline const std::map<std::string, Method> kMethods{
+    {"augmented", Method::Augmented}, {"gicp", Method::Gicp}, {"plane", Method::Plane}, {"point", Method::Point}};
+inline const std::map<std::string, Preset> kPresets{{"default", Preset::Default}, {"paper", Preset::Paper}};
+inline const std::map<std::string, Association> kAssociations{
+    {"auto", Association::Auto}, {"projective", Association::Projective}, {"nearest", Association::Nearest}};
+
+template <typename Value>
+std::string word_for(const std::map<std::string, Value>& words, Value value) {
+  for (const auto& [word, meaning] : words)
+    if (meaning == value) return word;
+  return {};
+}
+
+}  // namespace augicp::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/options.h"
+
+#include "augicp/core/check.h"
+
+namespace augicp {
+namespace {
+
+// The lever may not exceed this many radii of the ball: farther apart than about a ball, what a pair's directions say of
+// the rotation is no better than what curvature and wrong pairs make of them. Chosen on fr1/desk.
+constexpr double kLeverPerRadius = 1.4;
+
+// The paper gives no K. 1 is 3.2 cm off a plane under Table 2, in the middle of the range that works on depth images.
+constexpr double kPaperKernelChi2 = 1.0;
+
+InformationModel information_for(const RegistrationOptions& options) {
+  const InformationModel model =
+      options.preset == Preset::Paper ? augmented_information() : default_information();
+  switch (options.method) {
+    case Method::Augmented:
+      return model;
+    case Method::Gicp:
+      return positions_only(model);
+    case Method::Plane:
+      return plane_information();
+    case Method::Point:
+      return point_information();
+  }
+  return model;
+}
+
+}  // namespace
+
+void RegistrationOptions::check() const {
+  if (radius) require_positive("radius", *radius);
+  if (voxel_size) require_positive("voxel_size", *voxel_size);
+  if (max_distance) require(*max_distance > 0.0, "max_distance", *max_distance, "must be above 0");
+  require(max_angle > 0.0, "max_angle", max_angle, "must be above 0");
+  require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
+  require_not_negative("min_step", min_step);
+  require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
+}
+
+Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options) {
+  Lengths lengths = derive_lengths(source, target);
+  lengths.radius = options.radius.value_or(lengths.radius);
+  lengths.voxel_size = options.voxel_size.value_or(lengths.voxel_size);
+  lengths.max_distance = options.max_distance.value_or(lengths.max_distance);
+  return lengths;
+}
+
+SurfaceOptions surface_options(const RegistrationOptions& options) {
+  SurfaceOptions surface;
+  surface.classifier = options.preset == Preset::Paper ? Classifier::Eigenvalues : Classifier::Normals;
+  return surface;
+}
+
+AlignOptions align_options(const Lengths& lengths, const RegistrationOptions& options) {
+  AlignOptions align;
+  align.information = information_for(options);
+  align.gates.max_distance = lengths.max_distance;
+  align.gates.max_angle = options.max_angle;
+  align.max_lever = kLeverPerRadius * lengths.radius;
+  if (options.preset == Preset::Paper) {
+    align.lever = 1.0;
+    align.kernel_chi2 = kPaperKernelChi2;
+  }
+  align.max_iterations = options.max_iterations;
+  align.min_translation_step = options.min_step * lengths.extent;
+  align.min_rotation_step = options.min_step;
+  align.num_threads = options.num_threads;
+  return align;
+}
+
+}  // namespace augicp

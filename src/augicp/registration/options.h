@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "augicp/align/align.h"
+#include "augicp/registration/lengths.h"
+#include "augicp/surface/estimate_surface.h"
+
+namespace augicp {
+
+// What is minimised: all the same code with other numbers (objective/information.h).
+enum class Method { Augmented, Gicp, Plane, Point };
+
+enum class Preset {
+  Default,  // weights, kernel and classifier from measured noise
+  Paper,    // the source to the letter: Table 2 as printed, structure from the points' eigenvalues, a fixed K
+};
+
+// How pairs are found.
+enum class Association {
+  Auto,        // Projective where the target is a depth image, else Nearest
+  Projective,  // through the target's camera
+  Nearest,     // the nearest target point
+};
+
+struct RegistrationOptions {
+  Preset preset = Preset::Default;
+  Method method = Method::Augmented;
+  Association association = Association::Auto;
+
+  // Metres; not set: derived from the clouds, see derive_lengths().
+  std::optional<double> radius;
+  std::optional<double> voxel_size;
+  std::optional<double> max_distance;
+
+  // Pairs whose directions differ by more are dropped, radians.
+  double max_angle = 1.0471975511965976;  // 60 degrees
+
+  int max_iterations = 50;
+
+  // Steps smaller than this part of the extent, and than this in radians, end the loop. 0: all iterations are made.
+  double min_step = 1e-5;
+
+  int num_threads = 0;  // 0: all the machine's
+
+  // Throws std::invalid_argument naming the first option out of its range.
+  void check() const;
+};
+
+// The lengths to use: those set, and the rest derived.
+Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options);
+
+SurfaceOptions surface_options(const RegistrationOptions& options);
+AlignOptions align_options(const Lengths& lengths, const RegistrationOptions& options);
+
+}  // namespace augicp

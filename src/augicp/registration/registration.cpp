@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/registration.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "augicp/cloud/voxel_grid.h"
+#include "augicp/surface/ball_neighbourhood.h"
+#include "augicp/surface/window_neighbourhood.h"
+
+namespace augicp {
+namespace {
+
+// Spinning scanners sample a wall far away more thinly than a ball near the sensor expects.
+constexpr std::size_t kMinBallPoints = 10;
+constexpr double kMaxBallGrowth = 3.0;
+
+// A grid that would need more cells than a key holds: outliers far away, where a coarser voxel loses nothing.
+double feasible_voxel(const Cloud& cloud, double voxel_size) {
+  constexpr double kCells = 1 << 20;
+  return std::max(voxel_size, bounds(cloud).diagonal() / kCells);
+}
+
+std::unique_ptr<Neighbourhood> neighbourhood_of(const Scan& scan, const Lengths& lengths, int num_threads) {
+  if (!scan.view) {
+    const BallOptions ball{lengths.radius, kMinBallPoints, kMaxBallGrowth * lengths.radius};
+    return std::make_unique<BallNeighbourhood>(scan.cloud, ball, num_threads);
+  }
+  WindowOptions window;
+  window.radius = lengths.radius;
+  return std::make_unique<WindowNeighbourhood>(scan.cloud, scan.view->index, window, num_threads);
+}
+
+bool is_projective(const Scan& target, Association association) {
+  if (association == Association::Projective && !target.view)
+    throw std::invalid_argument("association = projective: the target is not a depth image with a camera");
+  return target.view && association != Association::Nearest;
+}
+
+}  // namespace
+
+Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
+  // Without extent there are no lengths and no surface: empty, or all points in one place.
+  if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
+  if (!scan.view && lengths.voxel_size > 0.0)
+    scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
+  if (options.preset == Preset::Paper) scan.cloud.weights.clear();
+  if (scan.cloud.has_directions()) return scan;
+  const auto neighbourhood = neighbourhood_of(scan, lengths, options.num_threads);
+  estimate_surface(scan.cloud, *neighbourhood, surface_options(options), options.num_threads);
+  return scan;
+}
+
+AlignResult register_prepared(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
+                              const Lengths& lengths, const RegistrationOptions& options) {
+  const bool projective = is_projective(target, options.association);
+  if (source.cloud.empty() || target.cloud.empty() || !(lengths.max_distance > 0.0)) {
+    AlignResult nothing;
+    nothing.target_from_source = initial_target_from_source;
+    return nothing;
+  }
+  const AlignOptions align_by = align_options(lengths, options);
+  if (!projective) return align(source.cloud, NearestMatcher(target.cloud), initial_target_from_source, align_by);
+  return align(source.cloud, ProjectiveMatcher(target.cloud, target.view->index, target.view->camera),
+               initial_target_from_source, align_by);
+}
+
+AlignResult register_scans(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
+                           const RegistrationOptions& options) {
+  options.check();
+  const Lengths lengths = lengths_for(source, target, options);
+  return register_prepared(prepare(source, lengths, options), prepare(target, lengths, options),
+                           initial_target_from_source, lengths, options);
+}
+
+}  // namespace augicp
