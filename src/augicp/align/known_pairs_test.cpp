@@ -19,12 +19,12 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kNumSeeds = 5;
-constexpr int kNumIterations = 8;
 constexpr double kReached = 0.02;  // rad
 
-// Mean rotation error over the seeds before the first iteration and after each: one number more than iterations.
+// Mean rotation error over the seeds before the first iteration and after each: one number more than iterations, which
+// are few where few pairs are false.
 std::vector<double> mean_rotation_errors(testing::KnownPairsOptions options, const Objective& objective) {
-  std::vector<double> errors(kNumIterations + 1, 0.0);
+  std::vector<double> errors(options.outlier_share > 0.5 ? 9 : 5, 0.0);
   for (options.seed = 1; options.seed <= kNumSeeds; ++options.seed) {
     const testing::KnownPairs known = testing::make_known_pairs(options);
     const testing::FixedPairs matcher(known.target, known.pairs);
@@ -84,31 +84,25 @@ TEST_P(KnownPairsAgainstGicp, AugmentedTurnsIntoPlaceInFewerIterations) {
 INSTANTIATE_TEST_SUITE_P(
     Table4, KnownPairsAgainstGicp,
     ::testing::Values(Case{"TruePairs", 0.0, 5.0, 1000.0, 1.0}, Case{"Half", 0.5, 5.0, 1000.0, 0.93},
-                      Case{"HalfExactNormals", 0.5, 0.0, 1000.0, 0.93},
                       Case{"HalfRoughNormals", 0.5, 20.0, 1000.0, 1.0}, Case{"Nine", 0.9, 5.0, 1000.0, 0.93},
-                      Case{"NineExactNormals", 0.9, 0.0, 1000.0, 0.93},
                       Case{"NineRoughNormals", 0.9, 20.0, 1000.0, 0.97}, Case{"HalfNarrowKernel", 0.5, 5.0, 100.0, 0.8},
                       Case{"NineNarrowKernel", 0.9, 5.0, 100.0, 0.7}),
     [](const auto& one) { return one.param.name; });
 
-TEST(KnownPairsAgainstPoint, GicpTurnsIntoPlaceInFewerIterationsUnderTheSameK) {
-  for (double outlier_share : {0.5, 0.9}) {
-    const std::vector<double> point = mean_rotation_errors(options_with(outlier_share), {point_information(), 1000.0});
-    const std::vector<double> gicp = mean_rotation_errors(options_with(outlier_share), {gicp_information(), 1000.0});
-    record("point" + std::to_string(std::lround(100 * outlier_share)), point);
-    EXPECT_LT(iterations_needed(gicp), 0.6 * iterations_needed(point));
-  }
-}
-
 // Under the same K, but not under the same kernel: a distance of 1 m counts 1000 times more across a plane in GICP than
 // in plain ICP, to which K = 1000 is no kernel at all. Under K = 1 plain ICP, which true pairs tell all there is to
-// know, is the faster one.
-TEST(KnownPairsAgainstPoint, ItIsTheKernelThatSlowsPoint) {
+// know, is the faster one: what slows it elsewhere is its pairs.
+TEST(KnownPairsAgainstPoint, GicpTurnsIntoPlaceInFewerIterationsUnderTheSameKOnly) {
   for (double outlier_share : {0.5, 0.9}) {
-    const std::vector<double> point = mean_rotation_errors(options_with(outlier_share), {point_information(), 1.0});
-    const std::vector<double> gicp = mean_rotation_errors(options_with(outlier_share), {gicp_information(), 1000.0});
-    record("point_narrow" + std::to_string(std::lround(100 * outlier_share)), point);
-    EXPECT_LT(iterations_needed(point), iterations_needed(gicp));
+    const auto options = options_with(outlier_share);
+    const std::string percent = std::to_string(std::lround(100.0 * outlier_share));
+    const std::vector<double> gicp = mean_rotation_errors(options, {gicp_information(), 1000.0});
+    const std::vector<double> same_k = mean_rotation_errors(options, {point_information(), 1000.0});
+    const std::vector<double> same_kernel = mean_rotation_errors(options, {point_information(), 1.0});
+    record("point_" + percent, same_k);
+    record("point_with_kernel_" + percent, same_kernel);
+    EXPECT_LT(iterations_needed(gicp), 0.6 * iterations_needed(same_k));
+    EXPECT_LT(iterations_needed(same_kernel), iterations_needed(gicp));
   }
 }
 
