@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/align/align.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "augicp/surface/estimate_surface.h"
+#include "augicp/surface/window_neighbourhood.h"
+#include "augicp/testing/matchers.h"
+#include "augicp/testing/poses.h"
+#include "augicp/testing/random_clouds.h"
+#include "augicp/testing/rendering.h"
+#include "augicp/testing/scenes.h"
+
+namespace augicp {
+namespace {
+
+using testing::NearPose;
+using testing::NearVector;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr double kRadius = 0.08;  // of the ball that surfaces are estimated in, metres
+
+// What the camera sees from its place in a generated scene, moved by a motion in its own frame.
+struct View {
+  OrganizedCloud organized;
+  Pinhole camera;
+  const Cloud& cloud() const { return organized.cloud; }
+};
+
+View view_of(const testing::Scene& scene, const Rigid3& motion = {}) {
+  const Pinhole camera = testing::kinect_like_camera(120);
+  const Rigid3 world_from_camera = scene.world_from_camera * motion;
+  View view{unproject(testing::render(scene, camera, camera.width, camera.height, world_from_camera).depth, camera),
+            camera};
+  const WindowNeighbourhood window(view.organized.cloud, view.organized.index, {.radius = kRadius}, 2);
+  estimate_surface(view.organized.cloud, window, {}, 2);
+  return view;
+}
+
+AlignOptions near_options() {
+  AlignOptions options;
+  options.gates = {.max_distance = 0.2, .max_angle = 0.7};
+  // Without a limit, exact normals outweigh everything: no translation would count beside the turn.
+  options.max_lever = 2.0 * kRadius;
+  options.num_threads = 2;
+  return options;
+}
+
+bool reached(const AlignResult& result) {
+  return result.status == AlignStatus::Converged || result.status == AlignStatus::IterationLimit;
+}
+
+const Rigid3 kSmallMotion = [] {
+  std::mt19937 generator(31);
+  return testing::random_motion(generator, 0.04, 0.03);
+}();
+
+// Not the identity, so that a pose replaced by it would show.
+const Rigid3 kGuess = [] {
+  std::mt19937 generator(32);
+  return testing::random_motion(generator, 0.3, 0.5);
+}();
+
+TEST(Align, FindsASmallMotionFromDepthImages) {
+  const testing::Scene scene = testing::room();
+  const View target = view_of(scene), source = view_of(scene, kSmallMotion);
+  const NearestMatcher nearest(target.cloud());
+  const ProjectiveMatcher projective(target.cloud(), target.organized.index, target.camera);
+  for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
+    const AlignResult result = align(source.cloud(), *matcher, Rigid3{}, near_options());
+    EXPECT_TRUE(reached(result)) << name_of(result.status);
+    EXPECT_THAT(result.target_from_source, NearPose(kSmallMotion, 2e-3, 3e-3));
+  }
+}
+
+// The same points moved: nothing is left of the error once the pairs are right.
+TEST(Align, IsExactWhereAnExactAnswerExists) {
+  const View target = view_of(testing::room());
+  const Cloud source = transform(target.cloud(), inverse(kSmallMotion));
+  const std::pair<std::string, InformationModel> models[]{{"point", point_information()},
+                                                          {"plane", plane_information()},
+                                                          {"gicp", gicp_information()},
+                                                          {"augmented", augmented_information()},
+                                                          {"default", default_information()}};
+  for (const auto& [name, model] : models) {
+    AlignOptions options = near_options();
+    options.information = model;
+    options.max_iterations = 100;
+    // Without noise the median of the distances to planes falls to nothing as soon as most planes fit, and K with it;
+    // what the rest of the planes say is then lost beside the damping.
+    if (name == "plane") options.kernel_chi2 = 1e-3;
+    const AlignResult result = align(source, NearestMatcher(target.cloud()), Rigid3{}, options);
+    EXPECT_EQ(result.status, AlignStatus::Converged) << name;
+    EXPECT_THAT(result.target_from_source, NearPose(kSmallMotion, 1e-4, 2e-4)) << name;
+  }
+}
+
+TEST(Align, ACloudMeetsItselfAtTheIdentity) {
+  const View view = view_of(testing::room());
+  const AlignResult result = align(view.cloud(), NearestMatcher(view.cloud()), Rigid3{}, near_options());
+  EXPECT_EQ(result.status, AlignStatus::Converged);
+  EXPECT_EQ(result.iterations, 1);
+  EXPECT_THAT(result.target_from_source, NearPose(Rigid3{}, 1e-9, 1e-9));
+  EXPECT_EQ(result.overlap, 1.0);
+  EXPECT_EQ(result.rmse, 0.0);
+}
+
+TEST(Align, HistoryHasOneEntryForEachIteration) {
+  const View target = view_of(testing::room()), source = view_of(testing::room(), kSmallMotion);
+  AlignOptions options = near_options();
+  options.max_iterations = 3;
+  options.min_observability = 0.0;
+  options.min_translation_step = options.min_rotation_step = 0.0;
+  const AlignResult result = align(
+      source.cloud(), ProjectiveMatcher(target.cloud(), target.organized.index, target.camera), Rigid3{}, options);
+  EXPECT_EQ(result.status, AlignStatus::IterationLimit);
+  EXPECT_EQ(result.iterations, 3);
+  ASSERT_EQ(result.history.size(), 3u);
+  EXPECT_THAT(result.history.back().target_from_source, NearPose(result.target_from_source, 0.0, 0.0));
+  EXPECT_LT(result.history[2].cost / static_cast<double>(result.history[2].num_pairs),
+            result.history[0].cost / static_cast<double>(result.history[0].num_pairs));
+  for (const AlignIteration& iteration : result.history) {
+    EXPECT_GT(iteration.num_pairs, 0);
+    EXPECT_GT(iteration.kernel_chi2, 0.0);
+    EXPECT_GT(iteration.lever, 0.0);
+  }
+}
+
+struct Failure {
+  std::string name;
+  Cloud source;
+  Cloud target;
+  AlignStatus status;
+};
+
+Cloud shifted(Cloud cloud, const Vec3f& shift) {
+  for (Vec3f& point : cloud.points) point += shift;
+  return cloud;
+}
+
+std::vector<Failure> failures() {
+  const Cloud cloud = testing::random_extended_points(3000, 1.0, 33);
+  Cloud all_equal;
+  all_equal.points.assign(5000, Vec3f(0.1f, 0.2f, 0.3f));
+  std::vector<Failure> failures{
+      {"empty source", {}, cloud, AlignStatus::TooFewPairs},
+      {"empty target", cloud, {}, AlignStatus::TooFewPairs},
+      {"both empty", {}, {}, AlignStatus::TooFewPairs},
+      {"100 m apart", cloud, shifted(cloud, {100.0f, 0.0f, 0.0f}), AlignStatus::NoOverlap},
+      {"equal points apart", all_equal, shifted(all_equal, {5.0f, 0.0f, 0.0f}), AlignStatus::NoOverlap}};
+  for (std::size_t count = 1; count <= 5; ++count) {
+    const Cloud few = testing::random_extended_points(count, 1.0, 34);
+    failures.push_back({std::to_string(count) + " source points", few, cloud, AlignStatus::TooFewPairs});
+    failures.push_back({std::to_string(count) + " target points", cloud, few, AlignStatus::TooFewPairs});
+    failures.push_back({std::to_string(count) + " points", few, few, AlignStatus::TooFewPairs});
+  }
+  return failures;
+}
+
+// robustness 10: a failure says so, and keeps the pose it had.
+TEST(Align, FailureKeepsTheGuess) {
+  AlignOptions options = near_options();
+  options.gates = {.max_distance = 2.0};
+  for (const auto& [name, source, target, status] : failures()) {
+    const AlignResult result = align(source, NearestMatcher(target), kGuess, options);
+    EXPECT_EQ(name_of(result.status), name_of(status)) << name;
+    EXPECT_THAT(result.target_from_source, NearPose(kGuess, 1e-12, 1e-12)) << name;
+    EXPECT_EQ(result.iterations, 0) << name;
+    EXPECT_TRUE(result.history.empty()) << name;
+    EXPECT_TRUE(std::isfinite(result.rmse)) << name;
+  }
+}
+
+TEST(Align, FewPairsAmongManyPointsAreNoOverlap) {
+  const Cloud cloud = testing::random_points(1000, 1.0, 35);
+  AlignOptions options = near_options();
+  options.gates = {.max_distance = 0.01};
+  Cloud source = shifted(cloud, {50.0f, 0.0f, 0.0f});
+  for (std::size_t i = 0; i < 19; ++i) source.points[i] = cloud.points[i];
+  EXPECT_EQ(align(source, NearestMatcher(cloud), Rigid3{}, options).status, AlignStatus::NoOverlap);
+  source.points.resize(40);
+  EXPECT_NE(align(source, NearestMatcher(cloud), Rigid3{}, options).status, AlignStatus::NoOverlap);
+}
+
+// They fix no turn: the status says so, and no number ceases to be one.
+TEST(Align, EqualPointsAreDegenerate) {
+  Cloud all_equal;
+  all_equal.points.assign(5000, Vec3f(0.1f, 0.2f, 0.3f));
+  AlignOptions options = near_options();
+  options.gates = {};
+  const AlignResult result = align(all_equal, NearestMatcher(all_equal), kGuess, options);
+  EXPECT_EQ(result.status, AlignStatus::Degenerate);
+  EXPECT_TRUE(result.target_from_source.translation.allFinite());
+  EXPECT_LE(result.target_from_source.rotation.coeffs().norm(), 1.0 + 1e-12);
+}
+
+TEST(Align, AGuessThatIsNotANumberFails) {
+  const Cloud cloud = testing::random_extended_points(3000, 1.0, 36);
+  Rigid3 guess;
+  guess.translation.x() = std::nan("");
+  EXPECT_FALSE(reached(align(cloud, NearestMatcher(cloud), guess, near_options())));
+}
+
+struct BadOption {
+  std::string name;
+  std::function<void(AlignOptions&, double)> set;
+  std::vector<double> bad;
+};
+
+TEST(Align, OptionsOutOfRangeAreRefusedByName) {
+  const double nan = std::nan("");
+  const std::vector<BadOption> options{
+      {"information",
+       [](AlignOptions& o, double x) { o.information.planar.position.along = x; },
+       {-1.0, nan, kInfinity}},
+      {"max_distance", [](AlignOptions& o, double x) { o.gates.max_distance = x; }, {0.0, -1.0, nan}},
+      {"max_angle", [](AlignOptions& o, double x) { o.gates.max_angle = x; }, {0.0, -1.0, nan}},
+      {"lever", [](AlignOptions& o, double x) { o.lever = x; }, {-1.0, nan, kInfinity}},
+      {"max_lever", [](AlignOptions& o, double x) { o.max_lever = x; }, {-1.0, nan}},
+      {"kernel_chi2", [](AlignOptions& o, double x) { o.kernel_chi2 = x; }, {0.0, -1.0, nan}},
+      {"kernel_per_median", [](AlignOptions& o, double x) { o.kernel_per_median = x; }, {0.0, -1.0, nan, kInfinity}},
+      {"damping", [](AlignOptions& o, double x) { o.damping = x; }, {-1.0, nan, kInfinity}},
+      {"max_iterations", [](AlignOptions& o, double x) { o.max_iterations = static_cast<int>(x); }, {0.0, -1.0}},
+      {"min_translation_step", [](AlignOptions& o, double x) { o.min_translation_step = x; }, {-1.0, nan, kInfinity}},
+      {"min_rotation_step", [](AlignOptions& o, double x) { o.min_rotation_step = x; }, {-1.0, nan, kInfinity}},
+      {"min_observability", [](AlignOptions& o, double x) { o.min_observability = x; }, {-1.0, nan, kInfinity}},
+      {"num_threads", [](AlignOptions& o, double x) { o.num_threads = static_cast<int>(x); }, {-1.0}}};
+  const Cloud cloud = testing::random_points(10, 1.0, 37);
+  const NearestMatcher matcher(cloud);
+  for (const auto& [name, set, bad] : options) {
+    for (double value : bad) {
+      AlignOptions changed;
+      set(changed, value);
+      try {
+        align(cloud, matcher, Rigid3{}, changed);
+        ADD_FAILURE() << name << " = " << value << " was taken";
+      } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).rfind(name, 0), 0u) << error.what();
+      }
+    }
+  }
+  EXPECT_NO_THROW(AlignOptions{}.check());
+}
+
+// Where a point of the source lands, in full, whatever the size of the frame's coordinates.
+Vec3d landing(const Rigid3& target_from_source, const Cloud& source, std::size_t i) {
+  return target_from_source * (source.origin + source.points[i].cast<double>());
+}
+
+TEST(Align, FarOriginsCostNoPrecision) {
+  const View target_view = view_of(testing::room()), source_view = view_of(testing::room(), kSmallMotion);
+  const NearestMatcher near_matcher(target_view.cloud());
+  const Rigid3 expected = align(source_view.cloud(), near_matcher, Rigid3{}, near_options()).target_from_source;
+  for (double offset : {1e3, 1e6, 1e7}) {
+    Cloud source = source_view.cloud(), target = target_view.cloud();
+    const Vec3d shift(offset, -0.5 * offset, 0.1 * offset);
+    source.origin += shift;
+    target.origin += shift;
+    const AlignResult result =
+        align(source, NearestMatcher(target), {Eigen::Quaterniond::Identity(), Vec3d::Zero()}, near_options());
+    for (std::size_t i = 0; i < source.size(); i += 500)
+      EXPECT_THAT(Vec3d(landing(result.target_from_source, source, i) - shift),
+                  NearVector(landing(expected, source_view.cloud(), i), 1e-6))
+          << offset;
+  }
+}
+
+TEST(Align, ResultMovesWithBothClouds) {
+  const View target = view_of(testing::room()), source = view_of(testing::room(), kSmallMotion);
+  const Rigid3 expected =
+      align(source.cloud(), NearestMatcher(target.cloud()), Rigid3{}, near_options()).target_from_source;
+  std::mt19937 generator(38);
+  for (int i = 0; i < 3; ++i) {
+    const Rigid3 motion = testing::random_motion(generator, 2.0, 10.0);
+    const Cloud moved_source = transform(source.cloud(), motion), moved_target = transform(target.cloud(), motion);
+    const AlignResult result = align(moved_source, NearestMatcher(moved_target), Rigid3{}, near_options());
+    EXPECT_THAT(inverse(motion) * result.target_from_source * motion, NearPose(expected, 5e-5, 1e-4));
+  }
+}
+
+TEST(Align, SameBitsForAnyNumberOfThreads) {
+  const View target = view_of(testing::room()), source = view_of(testing::room(), kSmallMotion);
+  const NearestMatcher nearest(target.cloud());
+  const ProjectiveMatcher projective(target.cloud(), target.organized.index, target.camera);
+  for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
+    AlignOptions options = near_options();
+    options.max_iterations = 5;
+    options.num_threads = 1;
+    const AlignResult expected = align(source.cloud(), *matcher, Rigid3{}, options);
+    for (int num_threads : {2, 3, 8}) {
+      options.num_threads = num_threads;
+      const AlignResult result = align(source.cloud(), *matcher, Rigid3{}, options);
+      EXPECT_EQ(result.target_from_source.matrix(), expected.target_from_source.matrix());
+      EXPECT_EQ(result.information, expected.information);
+      EXPECT_EQ(result.rmse, expected.rmse);
+      EXPECT_EQ(result.num_pairs, expected.num_pairs);
+    }
+  }
+}
+
+TEST(Align, EveryStatusHasItsName) {
+  EXPECT_EQ(name_of(AlignStatus::Converged), "converged");
+  EXPECT_EQ(name_of(AlignStatus::NoOverlap), "no_overlap");
+  EXPECT_EQ(name_of(AlignStatus::Diverged), "diverged");
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/align/weighing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace augicp {
+namespace {
+
+// Five pairs; the last two compare no directions.
+const PairChi2 kChi2{{4.0f, 16.0f, 1.0f, 100.0f, 200.0f}, {4.0f, 1.0f, 9.0f, -1.0f, -1.0f}};
+
+AlignOptions options_with(std::optional<double> lever, double kernel_per_median = 8.0) {
+  AlignOptions options;
+  options.lever = lever;
+  options.kernel_per_median = kernel_per_median;
+  return options;
+}
+
+TEST(Weighing, LeverIsTheRatioOfTheMedianErrors) {
+  // Of the three pairs that compare directions both medians are 4.
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, {}).lever, 1.0);
+  PairChi2 farther = kChi2;
+  for (float& chi2 : farther.position) chi2 *= 9.0f;
+  EXPECT_DOUBLE_EQ(weigh_pairs(farther, {}).lever, 3.0);
+  PairChi2 rougher = kChi2;
+  for (float& chi2 : rougher.direction) chi2 *= 4.0f;
+  EXPECT_DOUBLE_EQ(weigh_pairs(rougher, {}).lever, 0.5);
+}
+
+TEST(Weighing, LeverIsCapped) {
+  AlignOptions options;
+  options.max_lever = 0.25;
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options).lever, 0.25);
+  options.max_lever = 2.0;
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options).lever, 1.0);
+}
+
+TEST(Weighing, FixedLeverIsTaken) { EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options_with(7.0)).lever, 7.0); }
+
+TEST(Weighing, KernelIsAMultipleOfTheMedianUnderTheLever) {
+  // Lever 1: 8, 17, 10, 100, 200. Lever 10: 404, 116, 901, 100, 200. Lever 0: 4, 16, 1, 100, 200.
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, {}).kernel_chi2, 8.0 * 17.0);
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options_with(10.0, 2.0)).kernel_chi2, 2.0 * 200.0);
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options_with(0.0, 1.0)).kernel_chi2, 16.0);
+}
+
+TEST(Weighing, FixedKernelIsTaken) {
+  AlignOptions options;
+  options.kernel_chi2 = 5.0;
+  const Weighing weighing = weigh_pairs(kChi2, options);
+  EXPECT_DOUBLE_EQ(weighing.kernel_chi2, 5.0);
+  EXPECT_DOUBLE_EQ(weighing.lever, 1.0);
+}
+
+TEST(Weighing, NoDirectionComparedGivesNoLever) {
+  const Weighing weighing = weigh_pairs({{1.0f, 2.0f, 3.0f}, {-1.0f, -1.0f, -1.0f}}, options_with(std::nullopt, 1.0));
+  EXPECT_EQ(weighing.lever, 0.0);
+  EXPECT_DOUBLE_EQ(weighing.kernel_chi2, 2.0);
+}
+
+// A cloud against itself: there is nothing to weigh, and everything must stay a number, K above 0.
+TEST(Weighing, PerfectFitStaysANumber) {
+  for (const PairChi2& chi2 : {PairChi2{{0.0f, 0.0f}, {0.0f, 0.0f}}, PairChi2{{1.0f, 1.0f}, {0.0f, 0.0f}},
+                               PairChi2{{0.0f, 0.0f}, {1.0f, 1.0f}}, PairChi2{}}) {
+    const Weighing weighing = weigh_pairs(chi2, {});
+    EXPECT_TRUE(std::isfinite(weighing.lever));
+    EXPECT_TRUE(std::isfinite(weighing.kernel_chi2));
+    EXPECT_GT(weighing.kernel_chi2, 0.0);
+  }
+}
+
+TEST(Weighing, LessThanHalfOfFalsePairsChangeLittle) {
+  PairChi2 chi2;
+  for (int k = 0; k < 100; ++k) {
+    chi2.position.push_back(k < 45 ? 1e6f : 1.0f);
+    chi2.direction.push_back(k < 45 ? 1e3f : 4.0f);
+  }
+  EXPECT_DOUBLE_EQ(weigh_pairs(chi2, {}).lever, 0.5);
+  EXPECT_DOUBLE_EQ(weigh_pairs(chi2, options_with(std::nullopt, 1.0)).kernel_chi2, 2.0);
+}
+
+}  // namespace
+}  // namespace augicp

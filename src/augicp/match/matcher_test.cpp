@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/match/matcher.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "augicp/core/parallel.h"
+#include "augicp/sensor/projection.h"
+#include "augicp/testing/poses.h"
+#include "augicp/testing/random_clouds.h"
+
+namespace augicp {
+namespace {
+
+using testing::random_extended_points;
+
+constexpr Pinhole kCamera{50.0, 60.0, 31.5, 23.5, 64, 48};
+
+// What a camera sees, with directions that nothing ties to it.
+OrganizedCloud random_target(unsigned seed) {
+  std::mt19937 generator(seed);
+  DepthImage image{64, 48, std::vector<float>(64 * 48)};
+  for (float& depth : image.depth)
+    depth = testing::uniform(generator, 0.0, 1.0) < 0.1 ? std::nanf("")
+                                                        : static_cast<float>(testing::uniform(generator, 1.0, 1.3));
+  OrganizedCloud seen = unproject(image, kCamera);
+  const Cloud drawn = random_extended_points(seen.cloud.size(), 1.0, seed);
+  seen.cloud.directions = drawn.directions;
+  seen.cloud.structures = drawn.structures;
+  return seen;
+}
+
+// The target in another order, a little apart, with directions that differ by up to half a radian.
+Cloud source_near(const Cloud& target, unsigned seed) {
+  std::mt19937 generator(seed);
+  Cloud source = target;
+  for (Vec3f& point : source.points) point += 0.02f * testing::random_direction(generator).cast<float>();
+  for (Vec3f& direction : source.directions)
+    if (!direction.isZero())
+      direction = (direction + 0.5f * testing::random_direction(generator).cast<float>()).normalized();
+  std::rotate(source.structures.begin(), source.structures.begin() + 1, source.structures.begin() + 50);
+  std::rotate(source.directions.begin(), source.directions.begin() + 1, source.directions.begin() + 50);
+  std::reverse(source.points.begin(), source.points.end());
+  std::reverse(source.directions.begin(), source.directions.end());
+  std::reverse(source.structures.begin(), source.structures.end());
+  return source;
+}
+
+// The gates in words, one after the other.
+bool believed(const Cloud& source, const Cloud& target, const Correspondence& pair, const Rigid3& pose,
+              const Gates& gates) {
+  const auto [j, i] = pair;
+  if ((target.points[i].cast<double>() - pose * source.points[j].cast<double>()).norm() > gates.max_distance)
+    return false;
+  const Structure of_source = source.structures[j], of_target = target.structures[i];
+  if (of_source == Structure::None || of_target == Structure::None) return true;
+  if (of_source != of_target) return !gates.same_structure;
+  const double cosine = target.directions[i].cast<double>().dot(pose.rotation * source.directions[j].cast<double>());
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+  const bool with_sign = of_target == Structure::Planar && source.viewpoint && target.viewpoint;
+  return (with_sign ? angle : std::min(angle, std::numbers::pi - angle)) <= gates.max_angle;
+}
+
+std::vector<Correspondence> nearest_slowly(const Cloud& source, const Cloud& target, const Rigid3& pose,
+                                           const Gates& gates) {
+  std::vector<Correspondence> pairs;
+  for (std::uint32_t j = 0; j < source.size(); ++j) {
+    const Vec3d moved = pose * source.points[j].cast<double>();
+    Correspondence nearest{j, 0};
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < target.size(); ++i) {
+      const double distance = (target.points[i].cast<double>() - moved).norm();
+      if (distance < smallest) smallest = distance, nearest.target = i;
+    }
+    if (!target.empty() && believed(source, target, nearest, pose, gates)) pairs.push_back(nearest);
+  }
+  return pairs;
+}
+
+std::vector<Correspondence> projective_slowly(const Cloud& source, const OrganizedCloud& target, const Rigid3& pose,
+                                              const Gates& gates) {
+  const IndexImage seen = project(source, pose, kCamera, target.index.width, target.index.height, 1);
+  std::vector<Correspondence> pairs;
+  for (int v = 0; v < seen.height; ++v)
+    for (int u = 0; u < seen.width; ++u) {
+      const int j = seen.at(u, v), i = target.index.at(u, v);
+      if (j < 0 || i < 0) continue;
+      const Correspondence pair{static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(i)};
+      if (believed(source, target.cloud, pair, pose, gates)) pairs.push_back(pair);
+    }
+  return pairs;
+}
+
+struct Case {
+  Gates gates;
+  bool source_viewpoint;
+  bool target_viewpoint;
+};
+
+std::vector<Case> cases() {
+  Gates open, distance, angle, same, all;
+  distance.max_distance = 0.03;
+  angle.max_angle = 0.4;
+  same.same_structure = true;
+  all = {.max_distance = 0.1, .max_angle = 0.4, .same_structure = true};
+  std::vector<Case> cases;
+  for (const Gates& gates : {open, distance, angle, same, all})
+    for (bool source_viewpoint : {true, false})
+      for (bool target_viewpoint : {true, false}) cases.push_back({gates, source_viewpoint, target_viewpoint});
+  return cases;
+}
+
+void drop_unknown_viewpoints(const Case& one, Cloud& source, Cloud& target) {
+  if (!one.source_viewpoint) source.viewpoint.reset();
+  if (!one.target_viewpoint) target.viewpoint.reset();
+}
+
+// Half of the source's directions are turned round, so that signs matter.
+Cloud with_some_opposite(Cloud cloud) {
+  for (std::size_t i = 0; i < cloud.size(); i += 2) cloud.directions[i] = -cloud.directions[i];
+  return cloud;
+}
+
+TEST(NearestMatcher, PairsAreTheBruteForceOnesInSourceOrder) {
+  std::mt19937 generator(1);
+  for (const Case& one : cases()) {
+    Cloud target = random_extended_points(300, 0.2, 1), source = with_some_opposite(source_near(target, 2));
+    drop_unknown_viewpoints(one, source, target);
+    const Rigid3 pose = testing::random_motion(generator, 0.05, 0.01);
+    const auto pairs = NearestMatcher(target).match(source, pose, one.gates, 1);
+    EXPECT_EQ(pairs, nearest_slowly(source, target, pose, one.gates));
+    EXPECT_GT(pairs.size(), 20u);
+  }
+}
+
+TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
+  std::mt19937 generator(2);
+  for (const Case& one : cases()) {
+    OrganizedCloud target = random_target(3);
+    Cloud source = with_some_opposite(source_near(target.cloud, 4));
+    drop_unknown_viewpoints(one, source, target.cloud);
+    const Rigid3 pose = testing::random_motion(generator, 0.02, 0.02);
+    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, pose, one.gates, 1);
+    EXPECT_EQ(pairs, projective_slowly(source, target, pose, one.gates));
+    EXPECT_GT(pairs.size(), 20u);
+  }
+}
+
+TEST(ProjectiveMatcher, AnImagePairsWithItself) {
+  const OrganizedCloud target = random_target(5);
+  const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(target.cloud, Rigid3{}, Gates{}, 2);
+  ASSERT_EQ(pairs.size(), target.cloud.size());
+  for (std::uint32_t k = 0; k < pairs.size(); ++k) EXPECT_EQ(pairs[k], (Correspondence{k, k}));
+}
+
+// One pair whose directions differ by degrees; both matchers are asked.
+struct OnePair {
+  Cloud source;
+  OrganizedCloud target;
+
+  OnePair(Structure of_source, Structure of_target, double degrees) {
+    target.index = IndexImage(64, 48);
+    target.index.index[24 * 64 + 32] = 0;
+    target.cloud.points = {Vec3f(0.01f, 0.01f, 1.0f)};
+    target.cloud.structures = {of_target};
+    target.cloud.directions = {of_target == Structure::None ? Vec3f::Zero() : Vec3f(0.0f, 0.0f, -1.0f)};
+    target.cloud.viewpoint = Vec3f::Zero();
+    source = target.cloud;
+    source.structures = {of_source};
+    const double angle = degrees * std::numbers::pi / 180.0;
+    source.directions = {of_source == Structure::None
+                             ? Vec3f::Zero()
+                             : Vec3f(static_cast<float>(std::sin(angle)), 0.0f, -static_cast<float>(std::cos(angle)))};
+  }
+
+  bool passes(const Gates& gates, const Rigid3& pose = {}) const {
+    const auto nearest = NearestMatcher(target.cloud).match(source, pose, gates, 1);
+    const auto projective = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, pose, gates, 1);
+    EXPECT_EQ(nearest, projective);
+    return !nearest.empty();
+  }
+};
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+TEST(Gates, PairsTooFarApartAreDropped) {
+  const OnePair pair(Structure::None, Structure::None, 0.0);
+  Gates gates;
+  gates.max_distance = 0.1;
+  for (const auto& [distance, passes] : {std::pair{0.0, true}, {0.099, true}, {0.101, false}})
+    EXPECT_EQ(pair.passes(gates, {Eigen::Quaterniond::Identity(), Vec3d(0.0, 0.0, distance)}), passes) << distance;
+}
+
+TEST(Gates, NormalsCompareWithTheirSignWhereBothSensorsAreKnown) {
+  for (const auto& [degrees, passes] :
+       {std::pair{29.0, true}, {31.0, false}, {90.0, false}, {151.0, false}, {180.0, false}})
+    EXPECT_EQ(OnePair(Structure::Planar, Structure::Planar, degrees).passes({.max_angle = 30.0 * kDegree}), passes)
+        << degrees;
+}
+
+TEST(Gates, NormalsCompareWithoutSignWhereASensorIsUnknown) {
+  for (bool of_source : {true, false})
+    for (const auto& [degrees, passes] :
+         {std::pair{29.0, true}, {31.0, false}, {149.0, false}, {151.0, true}, {180.0, true}}) {
+      OnePair pair(Structure::Planar, Structure::Planar, degrees);
+      (of_source ? pair.source : pair.target.cloud).viewpoint.reset();
+      EXPECT_EQ(pair.passes({.max_angle = 30.0 * kDegree}), passes) << degrees;
+    }
+}
+
+TEST(Gates, TangentsCompareWithoutSign) {
+  for (const auto& [degrees, passes] :
+       {std::pair{29.0, true}, {31.0, false}, {149.0, false}, {151.0, true}, {180.0, true}})
+    EXPECT_EQ(OnePair(Structure::Edge, Structure::Edge, degrees).passes({.max_angle = 30.0 * kDegree}), passes)
+        << degrees;
+}
+
+TEST(Gates, SourceDirectionsTurnWithThePose) {
+  const OnePair pair(Structure::Planar, Structure::Planar, 40.0);
+  // About y through the point itself, by the angle between the directions.
+  const Eigen::Quaterniond back(Eigen::AngleAxisd(40.0 * kDegree, Vec3d::UnitY()));
+  const Vec3d point = pair.source.points[0].cast<double>();
+  EXPECT_TRUE(pair.passes({.max_angle = 1.0 * kDegree}, {back, point - back * point}));
+  EXPECT_FALSE(pair.passes({.max_angle = 30.0 * kDegree}, {back.inverse(), point - back.inverse() * point}));
+}
+
+TEST(Gates, PlanesAndEdgesPairUnlessStructuresMustBeTheSame) {
+  constexpr Structure kNone = Structure::None, kPlanar = Structure::Planar, kEdge = Structure::Edge;
+  for (const auto& [of_source, of_target, same] : {std::tuple{kPlanar, kPlanar, true},
+                                                   {kEdge, kEdge, true},
+                                                   {kPlanar, kEdge, false},
+                                                   {kEdge, kPlanar, false},
+                                                   {kNone, kPlanar, true},
+                                                   {kPlanar, kNone, true},
+                                                   {kNone, kEdge, true},
+                                                   {kEdge, kNone, true},
+                                                   {kNone, kNone, true}}) {
+    const OnePair pair(of_source, of_target, 0.0);
+    EXPECT_EQ(pair.passes({.same_structure = true}), same);
+    EXPECT_TRUE(pair.passes({.max_angle = 0.1}));
+  }
+}
+
+TEST(Gates, CloudsWithoutDirectionsPassAllButTheDistance) {
+  OnePair pair(Structure::Planar, Structure::Edge, 90.0);
+  pair.source.directions.clear();
+  pair.source.structures.clear();
+  EXPECT_TRUE(pair.passes({.max_angle = 0.1, .same_structure = true}));
+}
+
+TEST(Gates, BadOnesAreRefused) {
+  const OnePair pair(Structure::None, Structure::None, 0.0);
+  for (double bad : {0.0, -1.0, std::nan("")}) {
+    for (const Gates& gates : {Gates{.max_distance = bad}, Gates{.max_angle = bad}}) {
+      EXPECT_THROW(NearestMatcher(pair.target.cloud).match(pair.source, {}, gates, 1), std::invalid_argument);
+      EXPECT_THROW(ProjectiveMatcher(pair.target.cloud, pair.target.index, kCamera).match(pair.source, {}, gates, 1),
+                   std::invalid_argument);
+    }
+  }
+}
+
+TEST(Matcher, EmptyCloudsGiveNoPairs) {
+  const OrganizedCloud target = random_target(6), nothing{{}, IndexImage(64, 48)};
+  EXPECT_TRUE(NearestMatcher(target.cloud).match({}, {}, {}, 2).empty());
+  EXPECT_TRUE(NearestMatcher(nothing.cloud).match(target.cloud, {}, {}, 2).empty());
+  EXPECT_TRUE(ProjectiveMatcher(target.cloud, target.index, kCamera).match({}, {}, {}, 2).empty());
+  EXPECT_TRUE(ProjectiveMatcher(nothing.cloud, nothing.index, kCamera).match(target.cloud, {}, {}, 2).empty());
+}
+
+TEST(Matcher, SameForAnyNumberOfThreads) {
+  const OrganizedCloud target = random_target(7);
+  const Cloud source = random_extended_points(3 * kBlockSize + 5, 1.0, 8);
+  const Rigid3 pose{Eigen::Quaterniond::Identity(), Vec3d(0.0, 0.0, 1.2)};
+  const Gates gates{.max_distance = 0.2, .max_angle = 0.8, .same_structure = true};
+  const NearestMatcher nearest(target.cloud);
+  const ProjectiveMatcher projective(target.cloud, target.index, kCamera);
+  for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
+    const auto expected = matcher->match(source, pose, gates, 1);
+    EXPECT_GT(expected.size(), 100u);
+    for (int num_threads = 2; num_threads <= 8; ++num_threads)
+      EXPECT_EQ(matcher->match(source, pose, gates, num_threads), expected);
+  }
+}
+
+TEST(Matcher, AllPairsAreKeptWhateverTheirNumber) {
+  for (std::size_t count : {std::size_t{1}, kBlockSize - 1, kBlockSize, kBlockSize + 1}) {
+    const Cloud cloud = random_extended_points(count, 1.0, 9);
+    EXPECT_EQ(NearestMatcher(cloud).match(cloud, {}, {}, 3).size(), count);
+  }
+}
+
+}  // namespace
+}  // namespace augicp

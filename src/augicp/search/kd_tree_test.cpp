@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/search/kd_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "augicp/testing/random_clouds.h"
+
+namespace augicp {
+namespace {
+
+using testing::random_points;
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+float distance_sq(const Vec3f& a, const Vec3f& b) { return (a - b).squaredNorm(); }
+
+// All squared distances, smallest first: the slow way to every query. Ties make indices ambiguous, distances never.
+std::vector<float> sorted_distances_sq(const Cloud& cloud, const Vec3f& query) {
+  std::vector<float> all;
+  for (const Vec3f& point : cloud.points) all.push_back(distance_sq(point, query));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+struct Case {
+  std::string name;
+  Cloud cloud;
+};
+
+Cloud equal_points(std::size_t count) {
+  Cloud cloud;
+  cloud.points.assign(count, Vec3f(0.1f, 0.2f, 0.3f));
+  return cloud;
+}
+
+Cloud points_on_a_line() {
+  Cloud cloud;
+  for (int i = 0; i < 500; ++i) cloud.points.push_back(0.01f * static_cast<float>(i - 250) * Vec3f(1.0f, -2.0f, 0.5f));
+  return cloud;
+}
+
+// Whole coordinates: most queries have several nearest points.
+Cloud grid() {
+  Cloud cloud;
+  for (int i = 0; i < 512; ++i)
+    cloud.points.emplace_back(static_cast<float>(i % 8 - 4), static_cast<float>(i / 8 % 8 - 4),
+                              static_cast<float>(i / 64 - 4));
+  return cloud;
+}
+
+Cloud with_outlier() {
+  Cloud cloud = random_points(500, 1.0, 3);
+  cloud.points.emplace_back(1e6f, 0.0f, 0.0f);
+  return cloud;
+}
+
+std::vector<Case> awkward_clouds() {
+  return {{"random", random_points(2000, 1.0, 1)},
+          {"empty", {}},
+          {"one point", random_points(1, 1.0, 2)},
+          {"equal points", equal_points(5000)},
+          {"ties", grid()},
+          {"a line", points_on_a_line()},
+          {"an outlier", with_outlier()},
+          {"two points", random_points(2, 1.0, 4)}};
+}
+
+std::vector<Vec3f> queries() {
+  std::vector<Vec3f> queries = random_points(30, 1.5, 5).points;
+  queries.insert(queries.end(), {{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.1f, 0.2f, 0.3f}, {9e5f, 10.0f, 0.0f}});
+  return queries;
+}
+
+TEST(KdTree, NearestIsTheBruteForceOne) {
+  for (const auto& [name, cloud] : awkward_clouds()) {
+    const KdTree tree(cloud);
+    for (const Vec3f& query : queries()) {
+      const auto found = tree.nearest(query, kFar);
+      ASSERT_EQ(found.has_value(), !cloud.empty()) << name;
+      if (!found) continue;
+      EXPECT_FLOAT_EQ(found->distance_sq, sorted_distances_sq(cloud, query).front()) << name;
+      EXPECT_FLOAT_EQ(found->distance_sq, distance_sq(cloud.points[found->index], query)) << name;
+    }
+  }
+}
+
+TEST(KdTree, NearestFewAreTheBruteForceOnesInOrder) {
+  for (const auto& [name, cloud] : awkward_clouds()) {
+    const KdTree tree(cloud);
+    for (const Vec3f& query : queries()) {
+      const std::vector<float> expected = sorted_distances_sq(cloud, query);
+      for (std::size_t count : {0, 1, 7, 6000}) {
+        const std::vector<Neighbour> found = tree.nearest_k(query, count);
+        ASSERT_EQ(found.size(), std::min(count, cloud.size())) << name;
+        std::set<std::uint32_t> indices;
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          EXPECT_FLOAT_EQ(found[k].distance_sq, expected[k]) << name;
+          EXPECT_FLOAT_EQ(found[k].distance_sq, distance_sq(cloud.points[found[k].index], query)) << name;
+          indices.insert(found[k].index);
+        }
+        EXPECT_EQ(indices.size(), found.size()) << name << ": a point was found twice";
+      }
+    }
+  }
+}
+
+TEST(KdTree, WithinIsTheBruteForceSet) {
+  std::vector<Neighbour> found{{99, 99.0f}};  // what was there goes
+  for (const auto& [name, cloud] : awkward_clouds()) {
+    const KdTree tree(cloud);
+    for (const Vec3f& query : queries()) {
+      for (float radius_sq : {0.0f, 0.0123f, 1.0003f, 1e13f}) {
+        tree.within(query, radius_sq, found);
+        std::set<std::uint32_t> expected, indices;
+        for (std::uint32_t i = 0; i < cloud.size(); ++i)
+          if (distance_sq(cloud.points[i], query) < radius_sq) expected.insert(i);
+        for (const Neighbour& neighbour : found) indices.insert(neighbour.index);
+        EXPECT_EQ(indices, expected) << name << ", radius_sq " << radius_sq;
+        EXPECT_EQ(indices.size(), found.size()) << name << ": a point was found twice";
+      }
+    }
+  }
+}
+
+TEST(KdTree, GateOfNearestIsStrict) {
+  Cloud cloud;
+  cloud.points = {{2.0f, 0.0f, 0.0f}};
+  const KdTree tree(cloud);
+  EXPECT_FALSE(tree.nearest(Vec3f::Zero(), 4.0f));
+  EXPECT_TRUE(tree.nearest(Vec3f::Zero(), std::nextafter(4.0f, 5.0f)));
+  EXPECT_FALSE(tree.nearest(cloud.points[0], 0.0f));
+}
+
+TEST(KdTree, GateHidesNothingThatIsNearer) {
+  const Cloud cloud = random_points(2000, 1.0, 6);
+  const KdTree tree(cloud);
+  for (const Vec3f& query : queries()) {
+    const float nearest = sorted_distances_sq(cloud, query).front();
+    for (float factor : {0.5f, 0.99f, 1.01f, 2.0f}) {
+      const auto found = tree.nearest(query, factor * nearest);
+      ASSERT_EQ(found.has_value(), factor > 1.0f);
+      if (!found) continue;
+      EXPECT_FLOAT_EQ(found->distance_sq, nearest);
+    }
+  }
+}
+
+TEST(KdTree, QueryThatIsNotANumberFindsNothing) {
+  const Cloud cloud = random_points(100, 1.0, 7);
+  const KdTree tree(cloud);
+  EXPECT_FALSE(tree.nearest(Vec3f::Constant(std::nanf("")), kFar));
+}
+
+// A tree that splits off one of many equal points at a time would be as deep as there are points.
+TEST(KdTree, ManyEqualPointsMakeNoDeepTree) {
+  Cloud cloud = equal_points(100000);
+  cloud.points.emplace_back(5.0f, 0.0f, 0.0f);
+  const KdTree tree(cloud);
+  EXPECT_EQ(tree.nearest({4.0f, 0.0f, 0.0f}, kFar)->index, 100000u);
+  EXPECT_EQ(tree.nearest_k(cloud.points[0], 10).back().distance_sq, 0.0f);
+  std::vector<Neighbour> found;
+  tree.within(cloud.points[0], 1.0f, found);
+  EXPECT_EQ(found.size(), 100000u);
+}
+
+TEST(KdTree, StillAnswersWhenMoved) {
+  const Cloud cloud = random_points(100, 1.0, 8);
+  KdTree tree(cloud);
+  const KdTree moved = std::move(tree);
+  EXPECT_FLOAT_EQ(moved.nearest(cloud.points[42], kFar)->distance_sq, 0.0f);
+}
+
+}  // namespace
+}  // namespace augicp

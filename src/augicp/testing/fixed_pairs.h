@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "augicp/match/matcher.h"
+
+namespace augicp::testing {
+
+// The same pairs under every pose and gate. The target must outlive it.
+class FixedPairs : public Matcher {
+ public:
+  FixedPairs(const Cloud& target, std::vector<Correspondence> pairs) : target_(target), pairs_(std::move(pairs)) {}
+  const Cloud& target() const override { return target_; }
+  std::vector<Correspondence> match(const Cloud&, const Rigid3&, const Gates&, int) const override { return pairs_; }
+
+ private:
+  const Cloud& target_;
+  std::vector<Correspondence> pairs_;
+};
+
+}  // namespace augicp::testing
