@@ -93,6 +93,7 @@ void AlignOptions::check() const {
   if (lever) require_not_negative("lever", *lever);
   require(max_lever >= 0.0, "max_lever", max_lever, "must be at least 0");
   if (kernel_chi2) require(*kernel_chi2 > 0.0, "kernel_chi2", *kernel_chi2, "must be above 0");
+  require_not_negative("min_kernel_chi2", min_kernel_chi2);
   require(gate_per_median > 0.0, "gate_per_median", gate_per_median, "must be above 0");
   require_not_negative("min_max_distance", min_max_distance);
   require_positive("kernel_per_median", kernel_per_median);

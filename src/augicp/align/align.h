@@ -32,6 +32,10 @@ struct AlignOptions {
   std::optional<double> kernel_chi2;
   double kernel_per_median = 8.0;
 
+  // But K never falls below this, or a perfect fit of most pairs would silence the rest. In registration it is what a
+  // hundredth of the ball's radius off a plane costs.
+  double min_kernel_chi2 = 0.0;
+
   // The kernel of the direction's part alone, as many times its own median. Most directions of wrong pairs are random:
   // they show no rotation, and would only hold the first steps back. Infinity: off, as in the paper.
   double kernel_direction_per_median = 1.0;
@@ -59,7 +63,7 @@ enum class AlignStatus {
   Converged,       // the last step was small
   IterationLimit,  // it was not, after max_iterations
   Degenerate,      // some direction of motion is not held by the data, see AlignOptions::min_observability
-  TooFewPairs,     // fewer pairs than six numbers need
+  TooFewPairs,     // fewer points in a cloud than pairs that six numbers need
   NoOverlap,       // hardly any source point has a partner
   Diverged,        // a number stopped being finite
 };

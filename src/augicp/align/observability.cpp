@@ -9,12 +9,14 @@
 namespace augicp {
 namespace {
 
-InformationModel without_softening(InformationModel model) {
+// Directions are left out: what they hold the positions of an extended surface hold too, and with a long lever they would
+// make every translation look weak.
+InformationModel without_softening(const InformationModel& softened) {
+  InformationModel model = positions_only(softened);
   for (StructureInformation* row : {&model.none, &model.planar, &model.edge}) {
-    for (Information* information : {&row->position, &row->direction}) {
-      if (information->along < information->across) information->along = 0.0;
-      if (information->across < information->along) information->across = 0.0;
-    }
+    Information& information = row->position;
+    if (information.along < information.across) information.along = 0.0;
+    if (information.across < information.along) information.across = 0.0;
   }
   // Points without structure hold a motion only where all points do (ICP); beside planes they are softening too.
   if (model.planar.position.along > model.none.position.along) model.none.position = {};
@@ -54,8 +56,7 @@ Observability observability(const Cloud& source, const Cloud& target, std::span<
   if (pairs.empty()) return {};
   const Spread spread = spread_of(target, pairs);
   if (!(spread.gyration > 0.0)) return {};
-  const Objective hard{without_softening(objective.information), objective.kernel_chi2,
-                       objective.kernel_direction_chi2};
+  const Objective hard{without_softening(objective.information), objective.kernel_chi2};
   const NormalEquations equations = linearize(source, target, pairs, target_from_source, hard, num_threads);
   const Mat6d change = increment_from_scaled(spread);
   const Eigen::SelfAdjointEigenSolver<Mat6d> solver(change.transpose() * equations.H * change);

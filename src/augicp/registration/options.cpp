@@ -15,6 +15,8 @@ constexpr double kLeverPerRadius = 1.4;
 // Closes the gate fast enough for partial overlap (redkitchen, generated rooms), slowly enough for far guesses.
 constexpr double kGatePerMedian = 4.0;
 
+constexpr double kMinKernelPerRadius = 0.01;
+
 // The paper gives no K. 1 is 3.2 cm off a plane under Table 2, in the middle of the range that works on depth images.
 constexpr double kPaperKernelChi2 = 1.0;
 
@@ -69,6 +71,8 @@ AlignOptions align_options(const Lengths& lengths, const RegistrationOptions& op
     align.gate_per_median = kGatePerMedian;
     align.min_max_distance = lengths.radius;
   }
+  const double hardly_off = kMinKernelPerRadius * lengths.radius;
+  align.min_kernel_chi2 = align.information.planar.position.along * hardly_off * hardly_off;
   align.max_lever = kLeverPerRadius * lengths.radius;
   if (options.preset == Preset::Paper) {
     align.lever = 1.0;

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/registration.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "augicp/cloud/voxel_grid.h"
+#include "augicp/testing/matchers.h"
+#include "augicp/testing/poses.h"
+#include "augicp/testing/rendering.h"
+#include "augicp/testing/scenes.h"
+
+namespace augicp {
+namespace {
+
+using testing::NearPose;
+
+struct Pair {
+  Scan source, target;
+  Rigid3 target_from_source;
+};
+
+// A generated room seen by a Kinect-like camera from two places.
+Pair room_pair(double angle_rad, double distance_m) {
+  const testing::Scene room = testing::room();
+  const Pinhole camera = testing::kinect_like_camera();
+  std::mt19937 generator(3);
+  const Rigid3 target_from_source = testing::random_motion(generator, angle_rad, distance_m);
+  const Rigid3 world_from_source = room.world_from_camera * target_from_source;
+  DepthImage source = testing::render(room, camera, camera.width, camera.height, world_from_source).depth;
+  DepthImage target = testing::render(room, camera).depth;
+  testing::add_depth_noise(source, testing::kKinectSigmaAt1m, 1);
+  testing::add_depth_noise(target, testing::kKinectSigmaAt1m, 2);
+  return {scan_of(source, camera), scan_of(target, camera), target_from_source};
+}
+
+// The same without images.
+Pair room_clouds() {
+  Pair pair = room_pair(0.1, 0.1);
+  return {scan_of(pair.source.cloud), scan_of(pair.target.cloud), pair.target_from_source};
+}
+
+Cloud scaled(Cloud cloud, float factor) {
+  for (Vec3f& point : cloud.points) point *= factor;
+  if (cloud.viewpoint) *cloud.viewpoint *= factor;
+  return cloud;
+}
+
+TEST(Registration, DepthImagesOfARoomMeet) {
+  const Pair pair = room_pair(0.1, 0.1);
+  for (Preset preset : {Preset::Default, Preset::Paper}) {
+    RegistrationOptions options;
+    options.preset = preset;
+    const AlignResult result = register_scans(pair.source, pair.target, Rigid3{}, options);
+    EXPECT_EQ(result.status, AlignStatus::Converged);
+    EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.02));
+  }
+}
+
+TEST(Registration, CloudsOfARoomMeetByEveryMethod) {
+  const Pair pair = room_clouds();
+  for (Method method : {Method::Augmented, Method::Gicp, Method::Plane}) {
+    RegistrationOptions options;
+    options.method = method;
+    const AlignResult result = register_scans(pair.source, pair.target, Rigid3{}, options);
+    EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.03)) << static_cast<int>(method);
+  }
+}
+
+// One set of defaults for a bunny and a building: nothing may depend on the unit of length.
+TEST(Registration, ScaleDoesNotMatter) {
+  const Pair pair = room_clouds();
+  const AlignResult expected = register_scans(pair.source, pair.target);
+  for (float factor : {1.0f / 64.0f, 32.0f}) {  // powers of two: exact in float
+    const AlignResult result =
+        register_scans(scan_of(scaled(pair.source.cloud, factor)), scan_of(scaled(pair.target.cloud, factor)));
+    Rigid3 pose = result.target_from_source;
+    pose.translation /= static_cast<double>(factor);
+    EXPECT_THAT(pose, NearPose(expected.target_from_source, 1e-4, 1e-4));
+    EXPECT_EQ(result.status, expected.status);
+  }
+}
+
+// robustness 16: permuting the points, and any number of threads, give the same bits.
+TEST(Registration, OrderAndThreadsDoNotMatter) {
+  const Pair pair = room_clouds();
+  const AlignResult expected = register_scans(pair.source, pair.target);
+  std::vector<std::uint32_t> order(pair.source.cloud.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::shuffle(order.begin(), order.end(), std::mt19937(1));
+  const Scan shuffled = scan_of(select(pair.source.cloud, order));
+  for (int num_threads : {1, 2, 3, 8}) {
+    RegistrationOptions options;
+    options.num_threads = num_threads;
+    const AlignResult result = register_scans(shuffled, pair.target, Rigid3{}, options);
+    EXPECT_EQ(result.target_from_source.matrix(), expected.target_from_source.matrix()) << num_threads;
+  }
+}
+
+// robustness 15: far coordinates. The pose is compared where the points are.
+TEST(Registration, FarOriginsDoNotMatter) {
+  Pair pair = room_clouds();
+  const AlignResult near = register_scans(pair.source, pair.target);
+  for (double offset : {1e3, 1e6, 1e7}) {
+    const Vec3d shift(offset, -offset, 0.5 * offset);
+    Scan source = pair.source, target = pair.target;
+    source.cloud.origin = target.cloud.origin = shift;
+    const Rigid3 guess{Eigen::Quaterniond::Identity(), Vec3d::Zero()};
+    const AlignResult far = register_scans(source, target, guess);
+    const Vec3d point = source.cloud.points.front().cast<double>();
+    const Vec3d moved_near = near.target_from_source * point;
+    EXPECT_THAT(far.target_from_source * (shift + point) - shift, testing::NearVector(moved_near, 1e-6)) << offset;
+  }
+}
+
+// robustness 10: nothing to register is a failure, and the guess is kept.
+TEST(Registration, HopelessInputFails) {
+  const Pair pair = room_clouds();
+  Cloud equal;
+  equal.points.assign(5000, Vec3f(1.0f, 2.0f, 3.0f));
+  const Rigid3 guess{Eigen::Quaterniond::Identity(), Vec3d(1.0, 2.0, 3.0)};
+  std::vector<Scan> hopeless{Scan{}, scan_of(equal)};
+  for (std::size_t count = 1; count <= 5; ++count) {
+    Cloud few;
+    few.points.assign(pair.source.cloud.points.begin(), pair.source.cloud.points.begin() + static_cast<std::ptrdiff_t>(count));
+    hopeless.push_back(scan_of(few));
+  }
+  for (const Scan& scan : hopeless) {
+    for (const AlignResult& result : {register_scans(scan, pair.target, guess), register_scans(pair.target, scan, guess),
+                                      register_scans(scan, scan, guess)}) {
+      EXPECT_TRUE(result.status == AlignStatus::TooFewPairs || result.status == AlignStatus::NoOverlap)
+          << name_of(result.status) << " for " << scan.cloud.size() << " points";
+      EXPECT_THAT(result.target_from_source, NearPose(guess, 0.0, 0.0));
+    }
+  }
+}
+
+TEST(Registration, ProjectiveNeedsAnImage) {
+  const Pair pair = room_clouds();
+  RegistrationOptions options;
+  options.association = Association::Projective;
+  EXPECT_THROW(register_scans(pair.source, pair.target, Rigid3{}, options), std::invalid_argument);
+}
+
+TEST(Registration, OptionsOutOfRangeAreRefused) {
+  const auto refused = [](const auto& change) {
+    RegistrationOptions options;
+    change(options);
+    EXPECT_THROW(register_scans({}, {}, Rigid3{}, options), std::invalid_argument);
+  };
+  refused([](RegistrationOptions& o) { o.radius = 0.0; });
+  refused([](RegistrationOptions& o) { o.voxel_size = -1.0; });
+  refused([](RegistrationOptions& o) { o.max_distance = std::nan(""); });
+  refused([](RegistrationOptions& o) { o.max_angle = 0.0; });
+  refused([](RegistrationOptions& o) { o.max_iterations = 0; });
+  refused([](RegistrationOptions& o) { o.min_step = -1e-9; });
+  refused([](RegistrationOptions& o) { o.num_threads = -1; });
+}
+
+TEST(Lengths, FollowTheCloud) {
+  const Pair pair = room_clouds();
+  const Lengths lengths = derive_lengths(pair.source, pair.target);
+  const Lengths swapped = derive_lengths(pair.target, pair.source);
+  EXPECT_DOUBLE_EQ(lengths.radius, swapped.radius);
+  Scan with_outlier = pair.source;
+  with_outlier.cloud.points.emplace_back(1e6f, 0.0f, 0.0f);
+  EXPECT_NEAR(robust_extent(with_outlier), robust_extent(pair.source), 1e-3 * robust_extent(pair.source));
+  EXPECT_EQ(robust_extent(Scan{}), 0.0);
+}
+
+// Walls and the like leave a motion open, and the status says so.
+TEST(Registration, OneWallIsDegenerate) {
+  const Pinhole camera = testing::kinect_like_camera();
+  const DepthImage wall = testing::render(testing::single_plane(), camera).depth;
+  EXPECT_EQ(register_scans(scan_of(wall, camera), scan_of(wall, camera)).status, AlignStatus::Degenerate);
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""The command as its users meet it: numbers in the files it writes, exit codes, flag over file over default.
+
+    command_test.py AUGICP PROJECT
+"""
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+AUGICP, PROJECT = Path(sys.argv[1]), Path(sys.argv[2])
+ROOM = PROJECT / "data/room_pair"
+DESK = PROJECT / "data/tum_fr1_desk_30/depth"
+IMAGES = (DESK / "1305031455.374120.png", DESK / "1305031455.210307.png")
+
+
+def run(*words, timeout=120):
+    return subprocess.run([str(AUGICP), *map(str, words)], capture_output=True, text=True, timeout=timeout, check=False)
+
+
+def matrix(path):
+    rows = [line.split() for line in Path(path).read_text().splitlines() if not line.startswith("#")]
+    return [[float(value) for value in row] for row in rows]
+
+
+def distance(a, b):
+    return math.hypot(*(a[i][3] - b[i][3] for i in range(3)))
+
+
+class CommandTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="augicp wörk ")  # a blank and an umlaut in every path
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def align(self, *words):
+        finished = run("align", ROOM / "source.ply", ROOM / "target.ply", "--json", "-", *words)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        return json.loads(finished.stdout)
+
+    def test_scans_are_registered(self):
+        result = self.align("--transform", self.folder / "T.txt", "--output", self.folder / "moved.ply")
+        truth = matrix(ROOM / "T_target_source.txt")
+        self.assertEqual(result["status"], "converged")
+        self.assertLess(distance(result["T_target_source"], truth), 0.02)
+        self.assertEqual(matrix(self.folder / "T.txt"), result["T_target_source"])
+        # The moved cloud lies where the target is: aligning it again moves it by next to nothing.
+        again = run("align", self.folder / "moved.ply", ROOM / "target.ply", "--json", self.folder / "again.json")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        identity = [[float(i == j) for j in range(4)] for i in range(4)]
+        self.assertLess(distance(json.loads((self.folder / "again.json").read_text())["T_target_source"], identity), 0.005)
+
+    def test_swapping_gives_the_inverse(self):
+        there = self.align()["T_target_source"]
+        back = json.loads(run("align", ROOM / "target.ply", ROOM / "source.ply", "--json", "-").stdout)["T_target_source"]
+        product = [[sum(there[i][k] * back[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
+        self.assertLess(math.hypot(*(product[i][3] for i in range(3))), 0.03)
+
+    def test_depth_images_are_registered(self):
+        finished = run("align", *IMAGES, "--camera", "tum-fr1", "--json", "-", "--trace")
+        result = json.loads(finished.stdout)
+        self.assertEqual((finished.returncode, result["status"]), (0, "converged"))
+        self.assertEqual(len(result["history"]), result["iterations"])
+        self.assertEqual(result["history"][-1]["T_target_source"], result["T_target_source"])
+
+    def test_same_bits_for_any_number_of_threads(self):
+        for words in ((ROOM / "source.ply", ROOM / "target.ply"), (*IMAGES, "--camera", "tum-fr1")):
+            outputs = set()
+            for threads in (1, 2, 3, 8):
+                json_path = self.folder / f"{threads}.json"
+                finished = run("align", *words, "--threads", threads, "--trace", "--json", json_path)
+                self.assertEqual(finished.returncode, 0, finished.stderr)
+                result = json.loads(json_path.read_text())
+                del result["timing_ms"], result["options"]
+                outputs.add(json.dumps(result))
+            self.assertEqual(len(outputs), 1)
+
+    def test_flag_wins_over_file_wins_over_default(self):
+        config = self.folder / "augicp.toml"
+        config.write_text("[align]\nmethod = \"gicp\"\nmax-iterations = 7\n")
+        words = ("--config", config, "align", ROOM / "source.ply", ROOM / "target.ply", "--json", "-")
+        from_file = json.loads(run(*words).stdout)["options"]
+        self.assertEqual((from_file["method"], from_file["max_iterations"]), ("gicp", 7))
+        from_flag = json.loads(run(*words, "--method", "plane").stdout)["options"]
+        self.assertEqual((from_flag["method"], from_flag["max_iterations"]), ("plane", 7))
+        config.write_text("[align]\nmehtod = \"gicp\"\n")
+        self.assertEqual(run(*words).returncode, 2)
+
+    def test_initial_guess_is_taken(self):
+        near = self.align("--initial", ROOM / "T_target_source.txt", "--max-iterations", 50)
+        self.assertLess(near["iterations"], self.align()["iterations"])
+
+    def test_exit_codes(self):
+        cloud = ROOM / "source.ply"
+        (self.folder / "one.xyz").write_text("1 2 3\n")
+        (self.folder / "same.xyz").write_text("1 2 3\n" * 5000)
+        (self.folder / "short.ply").write_bytes(cloud.read_bytes()[:1000])
+        (self.folder / "mirror.txt").write_text("-1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n")
+        far = "0 0 1000 0 0 0 1"
+        cases = (
+            (0, ("--version",)), (0, ("align", "--help")), (2, ()), (2, ("align", cloud)), (2, ("align", cloud, cloud, "--radius", -1)),
+            (2, ("align", cloud, cloud, "--method", "magic")), (2, ("align", cloud, cloud, "--initial", "1 2 3")),
+            (2, ("align", *IMAGES)), (2, ("align", cloud, cloud, "--association", "projective")),
+            (3, ("align", self.folder / "nothing.ply", cloud)), (3, ("align", self.folder / "short.ply", cloud)),
+            (3, ("align", self.folder, cloud)), (3, ("align", cloud, cloud, "--initial", self.folder / "mirror.txt")),
+            (3, ("align", cloud, cloud, "--transform", "/dev/full")), (3, ("align", *IMAGES, "--camera", "tum-fr9")),
+            (3, ("align", *IMAGES, "--camera", "tum-fr1", "--depth-scale", 1)),
+            (4, ("align", self.folder / "one.xyz", cloud)), (4, ("align", cloud, self.folder / "same.xyz")),
+            (4, ("align", self.folder / "same.xyz", self.folder / "same.xyz")),
+            (4, ("align", cloud, cloud, "--initial", far)),
+            (5, ("align", ROOM / "source.ply", ROOM / "target.ply", "--max-iterations", 2)),
+        )
+        for expected, words in cases:
+            finished = run(*words)
+            self.assertEqual(finished.returncode, expected, f"{words}: {finished.stdout}{finished.stderr}")
+            if expected in (2, 3):
+                self.assertNotEqual(finished.stderr, "", words)
+
+    def test_a_cloud_against_itself_stays(self):
+        finished = run("align", ROOM / "source.ply", ROOM / "source.ply", "--json", "-")
+        result = json.loads(finished.stdout)
+        self.assertEqual((finished.returncode, result["status"]), (0, "converged"))
+        self.assertLess(distance(result["T_target_source"], [[float(i == j) for j in range(4)] for i in range(4)]), 1e-9)
+
+    def test_info_counts(self):
+        info = json.loads(run("info", IMAGES[0], "--camera", "tum-fr1", "--json", "-").stdout)
+        self.assertEqual(info["num_declared"], 640 * 480)
+        self.assertEqual(info["num_points"] + info["num_invalid"], 640 * 480)
+        (self.folder / "nan.xyz").write_text("0 0 0\nnan 1 1\n1 2 3\n")
+        info = json.loads(run("info", self.folder / "nan.xyz", "--json", "-").stdout)
+        self.assertEqual((info["num_points"], info["num_invalid"], info["max"]), (2, 1, [1.0, 2.0, 3.0]))
+
+    def test_surface_writes_what_it_says(self):
+        output = self.folder / "extended.ply"
+        finished = run("surface", IMAGES[0], "--camera", "tum-fr1", "--output", output)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        points = int(finished.stdout.split("points")[1].split(",")[0])
+        header = output.read_bytes()[:2000].decode("latin-1")
+        for words in (f"element vertex {points}", "property float nx", "property uchar red", "property uchar structure"):
+            self.assertIn(words, header)
+
+    def test_failed_writing_leaves_nothing(self):
+        target = self.folder / "sub" / "T.txt"
+        self.assertEqual(run("align", ROOM / "source.ply", ROOM / "target.ply", "--transform", target).returncode, 3)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
