@@ -38,22 +38,22 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
 Reach reach_along(const Line& line, const Cloud& cloud, const std::vector<double>& half_side) {
   const auto count = static_cast<std::int32_t>(line.point.size());
   Reach reach{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
-  for (std::int32_t i = 0; i < count; ++i) {
+  // Neighbouring entries reach about as far, so the search starts where the last one's ended: inwards, at the worst to the
+  // entry itself, then outwards. Each end is searched for in the direction in which it moves away from.
+  const auto end_of = [&](std::int32_t i, std::int32_t start, std::int32_t outwards) {
     const Vec3f& centre = cloud.points[line.point[i]];
     const double limit = half_side[line.point[i]];
     const auto belongs = [&](std::int32_t k) {
       return k >= 0 && k < count && line.run[k] == line.run[i] &&
              static_cast<double>((cloud.points[line.point[k]] - centre).squaredNorm()) <= limit * limit;
     };
-    // Neighbouring entries reach about as far, so the search starts where the last one ended: constant time on average.
-    std::int32_t first = i == 0 ? i : std::min(reach.first[i - 1], i), last = i == 0 ? i : std::max(reach.last[i - 1], i);
-    while (!belongs(first)) ++first;
-    while (belongs(first - 1)) --first;
-    while (!belongs(last)) --last;
-    while (belongs(last + 1)) ++last;
-    reach.first[i] = first;
-    reach.last[i] = last;
-  }
+    std::int32_t end = start;
+    while (end != i && !belongs(end)) end -= outwards;
+    while (belongs(end + outwards)) end += outwards;
+    return end;
+  };
+  for (std::int32_t i = 0; i < count; ++i) reach.first[i] = end_of(i, i == 0 ? i : reach.first[i - 1], -1);
+  for (std::int32_t i = count - 1; i >= 0; --i) reach.last[i] = end_of(i, i == count - 1 ? i : reach.last[i + 1], 1);
   return reach;
 }
 

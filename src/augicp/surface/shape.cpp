@@ -22,11 +22,17 @@ Shape shape_of_points(const Gaussian& points, const Eigen3& eigen, const ShapeTh
   return {};
 }
 
-Shape shape_of_normals(const Shape& of_points, const Mat3d& mean_outer_normal, const ShapeThresholds& thresholds) {
+Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const ShapeThresholds& thresholds) {
+  const Vec3d& l = eigen.values;
+  if (points.count < thresholds.min_points || !(l[2] > 0.0)) return {};
+  if (l[1] < thresholds.max_line_ratio * l[2]) return {Structure::Edge, eigen.vectors.col(2)};
+  if (l[0] > thresholds.max_thickness * l[1]) return {};
+  return {Structure::Planar, eigen.vectors.col(0)};
+}
+
+NormalSpread spread_of_normals(const Mat3d& mean_outer_normal) {
   const Eigen3 eigen = eigen_of_symmetric(mean_outer_normal);
-  if (eigen.values[1] < thresholds.min_crease) return of_points;
-  if (eigen.values[0] > thresholds.max_corner) return {};
-  return {Structure::Edge, eigen.vectors.col(0)};
+  return {eigen.vectors.col(0), eigen.values[1], eigen.values[0]};
 }
 
 }  // namespace augicp
