@@ -6,6 +6,12 @@
 namespace augicp {
 namespace {
 
+// A unit vector from the sensor to the point; zero where the sensor's place is unknown.
+Vec3d line_of_sight(const Cloud& cloud, std::size_t i) {
+  if (!cloud.viewpoint) return Vec3d::Zero();
+  return (cloud.points[i] - *cloud.viewpoint).cast<double>().stableNormalized();
+}
+
 // Upper triangle of a symmetric matrix as six numbers, and back.
 void pack(const Mat3d& m, Eigen::Ref<Eigen::Array<double, 6, 1>> packed) {
   packed << m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2);
@@ -61,20 +67,24 @@ Channels tangent_moments(const std::vector<NormalSpread>& spreads, const ShapeTh
   return moments;
 }
 
+// First step, or for the paper's classifier the only one.
 std::vector<Shape> shapes_of_points(const Cloud& cloud, const Neighbourhood& neighbourhood,
                                     const SurfaceOptions& options, int num_threads) {
-  const auto shape_of = options.classifier == Classifier::Normals ? line_or_normal : shape_of_points;
   const Channels sums = neighbourhood.sum(point_moments(cloud), num_threads);
   std::vector<Shape> shapes(cloud.size());
-  for_each_block(shapes.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Gaussian points = gaussian_of(sums.col(static_cast<Eigen::Index>(i)));
-      shapes[i] = shape_of(points, eigen_of_symmetric(points.covariance), options.thresholds);
+      const Eigen3 eigen = eigen_of_symmetric(points.covariance);
+      shapes[i] = options.classifier == Classifier::Eigenvalues
+                      ? shape_of_points(points, eigen, options.thresholds)
+                      : line_or_normal(points, eigen, line_of_sight(cloud, i), options.thresholds);
     }
   });
   return shapes;
 }
 
+// Second step. Zero for lines, and where too few neighbours have a normal.
 std::vector<NormalSpread> normal_spreads(const std::vector<Shape>& shapes, const Neighbourhood& neighbourhood,
                                          const ShapeThresholds& thresholds, int num_threads) {
   const Channels sums = neighbourhood.sum(normal_moments(shapes), num_threads);

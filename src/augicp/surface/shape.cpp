@@ -2,6 +2,7 @@
 #include "augicp/surface/shape.h"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace augicp {
 
@@ -22,10 +23,12 @@ Shape shape_of_points(const Gaussian& points, const Eigen3& eigen, const ShapeTh
   return {};
 }
 
-Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const ShapeThresholds& thresholds) {
+Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const Vec3d& line_of_sight,
+                     const ShapeThresholds& thresholds) {
   const Vec3d& l = eigen.values;
   if (points.count < thresholds.min_points || !(l[2] > 0.0)) return {};
-  if (l[1] < thresholds.max_line_ratio * l[2]) return {Structure::Edge, eigen.vectors.col(2)};
+  const bool along_sight = std::abs(eigen.vectors.col(2).dot(line_of_sight)) > std::cos(thresholds.min_line_to_sight);
+  if (l[1] < thresholds.max_line_ratio * l[2] && !along_sight) return {Structure::Edge, eigen.vectors.col(2)};
   if (l[0] > thresholds.max_thickness * l[1]) return {};
   return {Structure::Planar, eigen.vectors.col(0)};
 }

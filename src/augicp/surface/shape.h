@@ -31,13 +31,16 @@ struct ShapeThresholds {
   // l1 / l2 of the points: below, they lie on a line (a wire, the rim of a thin board).
   double max_line_ratio = 0.1;
 
+  // A line closer than this to the line of sight is no wire, but what little is seen of a steep surface. Radians.
+  double min_line_to_sight = 0.45;
+
   // l0 / l1 of the points: above, they are as thick as wide (a tangle, or more noise than the ball has size) and have no
   // normal. A right-angle crease through the middle has 0.28.
   double max_thickness = 0.5;
 
   // Spread of the normals around a point (spread_of_normals): where it is above clear_crease there is a crease, and above
   // min_crease what is near such a place belongs to it.
-  double min_crease = 0.04;
+  double min_crease = 0.03;
   double clear_crease = 0.12;
 
   // Smallest eigenvalue of the mean outer product of these normals: above, they point three ways, as in a corner.
@@ -53,8 +56,9 @@ Shape shape_of_points(const Gaussian& points, const Eigen3& eigen, const ShapeTh
 
 // Ours, in three steps of which each looks at the same neighbourhood.
 //
-// First, the points give a line, or a normal, or neither.
-Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const ShapeThresholds& thresholds);
+// First, the points give a line, or a normal, or neither. The line of sight is a unit vector; zero where it is unknown.
+Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const Vec3d& line_of_sight,
+                     const ShapeThresholds& thresholds);
 
 // Second, the normals around a point, all orthogonal to the tangent of a crease, say how far they spread around it, and
 // whether they spread along it too, as in a corner.
