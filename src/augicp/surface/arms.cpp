@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "augicp/core/check.h"
+
 namespace augicp {
 namespace {
 
@@ -13,6 +15,12 @@ bool is_step(const Vec3f& a, const Vec3f& b, int pixels_between, double max_step
 }
 
 }  // namespace
+
+void check(const WindowOptions& options) {
+  require_positive("radius", options.radius);
+  require_not_negative("radius_per_depth", options.radius_per_depth);
+  require_positive("max_step_per_depth", options.max_step_per_depth);
+}
 
 double ball_radius(const Vec3f& point, const WindowOptions& options) {
   return std::max(options.radius, options.radius_per_depth * static_cast<double>(point.z()));
@@ -38,8 +46,9 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
 Reach reach_along(const Line& line, const Cloud& cloud, const std::vector<double>& half_side) {
   const auto count = static_cast<std::int32_t>(line.point.size());
   Reach reach{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
-  // Neighbouring entries reach about as far, so the search starts where the last one's ended: inwards, at the worst to the
-  // entry itself, then outwards. Each end is searched for in the direction in which it moves away from.
+  // Neighbouring entries reach about as far, so a search starts where the last one's ended and goes inwards, at the worst
+  // to the entry itself, then outwards. First ends are searched for from left to right and last ends from right to left,
+  // so that the start is rather too far out than too far in: one noisy entry then does not cut an arm short.
   const auto end_of = [&](std::int32_t i, std::int32_t start, std::int32_t outwards) {
     const Vec3f& centre = cloud.points[line.point[i]];
     const double limit = half_side[line.point[i]];

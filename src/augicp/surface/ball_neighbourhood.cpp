@@ -32,6 +32,7 @@ void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& 
 BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& options, int num_threads)
     : begin_(cloud.size() + 1, 0) {
   require_positive("radius", options.radius);
+  require_not_negative("max_radius", options.max_radius);
   const KdTree tree(cloud);
   const std::size_t num_blocks = (cloud.size() + kPointsPerBlock - 1) / kPointsPerBlock;
   std::vector<std::vector<std::uint32_t>> of_block(num_blocks);

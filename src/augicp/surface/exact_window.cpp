@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 #include "augicp/surface/arms.h"
 #include "augicp/surface/window_neighbourhood.h"
@@ -72,7 +71,7 @@ void collect(const Cloud& cloud, const IndexImage& index, const Runs& runs, int 
 ExactWindowNeighbourhood::ExactWindowNeighbourhood(const Cloud& cloud, const IndexImage& index,
                                                    const WindowOptions& options, int num_threads)
     : neighbours_(cloud.size()) {
-  require_positive("radius", options.radius);
+  check(options);
   const Runs runs = find_runs(cloud, index, options.max_step_per_depth);
   for_each_block(
       index.index.size(), num_threads,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/surface/window_neighbourhood.h"
 
-#include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 #include "augicp/surface/arms.h"
 
@@ -47,8 +46,7 @@ void sum_along(const IndexImage& index, const std::vector<Arms>& arms, bool alon
 WindowNeighbourhood::WindowNeighbourhood(const Cloud& cloud, const IndexImage& index, const WindowOptions& options,
                                          int num_threads)
     : index_(index), arms_(cloud.size()) {
-  require_positive("radius", options.radius);
-  require_positive("max_step_per_depth", options.max_step_per_depth);
+  check(options);
   const std::vector<double> sides = half_sides(cloud, options);
   for (bool along_rows : {true, false}) {
     for_each_block(
