@@ -33,8 +33,8 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
   for (int k = 0; k < length; ++k) {
     const std::int32_t point = along_rows ? index.at(k, which) : index.at(which, k);
     if (point == IndexImage::kNone) continue;
-    if (!line.point.empty() && is_step(cloud.points[line.point.back()], cloud.points[point], k - line.position.back(),
-                                       max_step_per_depth))
+    if (!line.point.empty() &&
+        is_step(cloud.points[line.point.back()], cloud.points[point], k - line.position.back(), max_step_per_depth))
       ++run;
     line.position.push_back(k);
     line.point.push_back(point);
@@ -46,9 +46,9 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
 Reach reach_along(const Line& line, const Cloud& cloud, const std::vector<double>& half_side) {
   const auto count = static_cast<std::int32_t>(line.point.size());
   Reach reach{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
-  // Neighbouring entries reach about as far, so a search starts where the last one's ended and goes inwards, at the worst
-  // to the entry itself, then outwards. First ends are searched for from left to right and last ends from right to left,
-  // so that the start is rather too far out than too far in: one noisy entry then does not cut an arm short.
+  // Neighbouring entries reach about as far, so a search starts where the last one's ended and goes inwards, at the
+  // worst to the entry itself, then outwards. First ends are searched for from left to right and last ends from right
+  // to left, so that the start is rather too far out than too far in: one noisy entry then does not cut an arm short.
   const auto end_of = [&](std::int32_t i, std::int32_t start, std::int32_t outwards) {
     const Vec3f& centre = cloud.points[line.point[i]];
     const double limit = half_side[line.point[i]];

@@ -29,8 +29,8 @@ struct Line {
 // Line `which` of the image: row (along_rows) or column. A missing reading does not end a run, a step in depth does.
 Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, int which, double max_step_per_depth);
 
-// For every entry of the line, how far its run reaches both ways within half_side (per entry, metres) of it. Both ends are
-// within half_side; noise may put single entries between them a little farther away.
+// For every entry of the line, how far its run reaches both ways within half_side (per entry, metres) of it. Both ends
+// are within half_side; noise may put single entries between them a little farther away.
 struct Reach {
   std::vector<std::int32_t> first, last;
 };

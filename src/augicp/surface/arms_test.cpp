@@ -28,7 +28,9 @@ LineCase row_of(const std::vector<float>& depths) {
 
 Line line_of(const LineCase& row) { return image_line(row.cloud, row.index, true, 0, 0.02); }
 
-TEST(Arms, StepInDepthEndsARun) { EXPECT_THAT(line_of(row_of({1.0f, 1.01f, 1.05f, 1.05f})).run, ElementsAre(0, 0, 1, 1)); }
+TEST(Arms, StepInDepthEndsARun) {
+  EXPECT_THAT(line_of(row_of({1.0f, 1.01f, 1.05f, 1.05f})).run, ElementsAre(0, 0, 1, 1));
+}
 
 TEST(Arms, MissingReadingsDoNotEndARun) {
   const Line line = line_of(row_of({1.0f, kMissing, kMissing, 1.05f, 1.05f}));

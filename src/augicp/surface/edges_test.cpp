@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The goal for edges, measured on generated depth images of a Kinect's size, without and with its noise:
+// The goal for edges, measured on generated depth images of a Kinect's size (640 x 480), without and with its noise:
 //
 //   found  of the points of a crease at least 90 % are edges with a tangent within 5 degrees of the crease;
 //   false  of the points beside a depth discontinuity at most 2 % are edges.
@@ -9,9 +9,9 @@
 // within a radius of the point. A side seen at more than 85 degrees is not seen: its pixels lie farther apart than
 // WindowOptions::max_step_per_depth allows on one surface.
 //
-// The points beside a discontinuity are those within ten pixels of a jump in depth of more than 10 cm, or of nothing. The
-// plain points are the others. Neither lies within two radii of a crease that is seen, for up to there a neighbour's
-// neighbour may lie across it. All distances are between true points, not noisy ones.
+// The points beside a discontinuity are those within ten pixels of a jump in depth of more than 10 cm, or of nothing.
+// The plain points are the others. Neither lies within two radii of a crease that is seen, for up to there a
+// neighbour's neighbour may lie across it. All distances are between true points, not noisy ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,7 +70,8 @@ std::vector<bool> clearly_seen(const Scene& scene, const Rendering& seen, const 
   for (std::size_t pixel = 0; pixel < seen.surface.size(); ++pixel) {
     if (seen.surface[pixel] == Rendering::kNothing) continue;
     const Vec3f ray = truth.cloud.points[truth.index.index[pixel]].normalized();
-    if (std::abs(ray.dot(seen.normal[pixel])) >= std::cos(kMaxIncidenceDeg * kDegree)) clear[seen.surface[pixel]] = true;
+    if (std::abs(ray.dot(seen.normal[pixel])) >= std::cos(kMaxIncidenceDeg * kDegree))
+      clear[seen.surface[pixel]] = true;
   }
   return clear;
 }
@@ -181,10 +182,10 @@ TEST_P(Edges, AreFoundOnCreasesAndNotBesideJumps) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Edges,
                          ::testing::Values(EdgeCase{"BoxOnTable", box_on_table},
-                                           EdgeCase{"BoxFromItsCorner", box_from_its_corner}, EdgeCase{"BoxAskew", box_askew, 0.65},
-                                           EdgeCase{"RoomCorner", room_corner}, EdgeCase{"Wire", wire},
-                                           EdgeCase{"DepthStep", depth_step}, EdgeCase{"Cylinder", cylinder_scene},
-                                           EdgeCase{"Sphere", sphere_scene}),
+                                           EdgeCase{"BoxFromItsCorner", box_from_its_corner},
+                                           EdgeCase{"BoxAskew", box_askew, 0.65}, EdgeCase{"RoomCorner", room_corner},
+                                           EdgeCase{"Wire", wire}, EdgeCase{"DepthStep", depth_step},
+                                           EdgeCase{"Cylinder", cylinder_scene}, EdgeCase{"Sphere", sphere_scene}),
                          [](const auto& case_info) { return case_info.param.name; });
 
 }  // namespace

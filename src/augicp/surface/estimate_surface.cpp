@@ -132,7 +132,8 @@ void store(const std::vector<Shape>& shapes, Cloud& cloud) {
 
 }  // namespace
 
-void estimate_surface(Cloud& cloud, const Neighbourhood& neighbourhood, const SurfaceOptions& options, int num_threads) {
+void estimate_surface(Cloud& cloud, const Neighbourhood& neighbourhood, const SurfaceOptions& options,
+                      int num_threads) {
   std::vector<Shape> shapes = shapes_of_points(cloud, neighbourhood, options, num_threads);
   if (options.classifier == Classifier::Normals) {
     const auto spreads = normal_spreads(shapes, neighbourhood, options.thresholds, num_threads);

@@ -69,12 +69,14 @@ void expect_well_formed(const Cloud& cloud) {
 // The normal's error is about sigma / (spread sqrt(n)) radians, with n points of standard deviation spread in the ball:
 // here n = 157 and spread = 5 cm (at the rim half of both), so 0.18 and 0.9 degrees for 2 and 10 mm.
 TEST(EstimateSurface, NormalsOfANoisyPlane) {
-  for (const auto& [sigma, max_mean_deg, max_deg] : {std::tuple{0.0, 1e-3, 1e-2}, {0.002, 0.4, 2.0}, {0.01, 2.0, 10.0}}) {
+  for (const auto& [sigma, max_mean_deg, max_deg] :
+       {std::tuple{0.0, 1e-3, 1e-2}, {0.002, 0.4, 2.0}, {0.01, 2.0, 10.0}}) {
     const Cloud cloud = in_balls(sheet(5000, sigma), 0.1);
     double sum_deg = 0.0, worst_deg = 0.0;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       ASSERT_EQ(cloud.structures[i], Structure::Planar);
-      const double error = std::acos(std::min(1.0, std::abs(static_cast<double>(cloud.directions[i].z())))) * 180.0 / std::numbers::pi;
+      const double error =
+          std::acos(std::min(1.0, std::abs(static_cast<double>(cloud.directions[i].z())))) * 180.0 / std::numbers::pi;
       sum_deg += error;
       worst_deg = std::max(worst_deg, error);
     }
@@ -99,7 +101,8 @@ TEST(EstimateSurface, LineIsAnEdgeAlongItself) {
     std::mt19937 generator(9);
     const Vec3d along = random_direction(generator);
     Cloud cloud;
-    for (int i = 0; i < 200; ++i) cloud.points.push_back((0.005 * i * along + 0.001 * random_direction(generator)).cast<float>());
+    for (int i = 0; i < 200; ++i)
+      cloud.points.push_back((0.005 * i * along + 0.001 * random_direction(generator)).cast<float>());
     SurfaceOptions options;
     options.classifier = classifier;
     estimate_surface(cloud, BallNeighbourhood(cloud, {0.05, 0, 0.0}, 0), options, 0);
@@ -121,7 +124,8 @@ TEST(EstimateSurface, FoldIsAnEdgeNearItsCreaseOnly) {
     }
     if (distance > 0.1f) continue;
     ++num_near;
-    num_edge += cloud.structures[i] == Structure::Edge && std::abs(cloud.directions[i].x()) > std::cos(5.0f * 3.14159f / 180.0f);
+    num_edge += cloud.structures[i] == Structure::Edge &&
+                std::abs(cloud.directions[i].x()) > std::cos(5.0f * 3.14159f / 180.0f);
   }
   EXPECT_GE(num_edge, 0.9 * num_near);
 }
@@ -136,7 +140,8 @@ TEST(EstimateSurface, NormalsPointToTheViewpoint) {
 
 TEST(EstimateSurface, TooLittleToGoByIsNone) {
   Cloud few, equal;
-  for (int i = 0; i < 7; ++i) few.points.emplace_back(0.01f * static_cast<float>(i % 3), 0.01f * static_cast<float>(i / 3), 0.0f);
+  for (int i = 0; i < 7; ++i)
+    few.points.emplace_back(0.01f * static_cast<float>(i % 3), 0.01f * static_cast<float>(i / 3), 0.0f);
   equal.points.assign(50, Vec3f(1.0f, 2.0f, 3.0f));
   for (const Cloud& cloud : {Cloud{}, few, equal}) {
     const Cloud estimated = in_balls(cloud, 0.5);
@@ -165,8 +170,9 @@ TEST(EstimateSurface, MovesWithTheCloud) {
   const Cloud expected = transform(estimated, b_from_a), found = in_balls(transform(cloud, b_from_a), 0.1);
   int num_same = 0;  // rounding the moved points to floats may change a point on a threshold
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    num_same += found.structures[i] == expected.structures[i] &&
-                std::abs(found.directions[i].dot(expected.directions[i])) > (found.directions[i].isZero() ? -1.0f : 0.9999f);
+    num_same +=
+        found.structures[i] == expected.structures[i] &&
+        std::abs(found.directions[i].dot(expected.directions[i])) > (found.directions[i].isZero() ? -1.0f : 0.9999f);
   EXPECT_GE(num_same, 0.995 * static_cast<double>(cloud.size()));
 }
 

@@ -17,8 +17,9 @@ Shape shape_of_points(const Gaussian& points, const Eigen3& eigen, const ShapeTh
   if (points.count < thresholds.min_points || !(l[2] > 0.0)) return {};
   if (l[0] < thresholds.max_planar_curvature * l.sum() && l[1] >= thresholds.max_line_ratio * l[2])
     return {Structure::Planar, eigen.vectors.col(0)};
-  // "One eigenvalue smaller than the other two" covers both the wire, where two are small beside l2, and the right-angle
-  // crease (0.035, 0.125, 0.25); a corner has all three alike. Half way between crease and corner, l1 / l2 is 3/4.
+  // "One eigenvalue smaller than the other two" covers both the wire, where two are small beside l2, and the
+  // right-angle crease (0.035, 0.125, 0.25); a corner has all three alike. Half way between crease and corner, l1 / l2
+  // is 3/4.
   if (l[1] < 0.75 * l[2]) return {Structure::Edge, eigen.vectors.col(2)};
   return {};
 }

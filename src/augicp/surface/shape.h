@@ -34,13 +34,13 @@ struct ShapeThresholds {
   // A line closer than this to the line of sight is no wire, but what little is seen of a steep surface. Radians.
   double min_line_to_sight = 0.45;
 
-  // l0 / l1 of the points: above, they are as thick as wide (a tangle, or more noise than the ball has size) and have no
-  // normal. A right-angle crease through the middle has 0.28.
+  // l0 / l1 of the points: above, they are as thick as wide (a tangle, or more noise than the ball has size) and have
+  // no normal. A right-angle crease through the middle has 0.28.
   double max_thickness = 0.5;
 
-  // NormalSpread::across: where it is above clear_crease there is a crease, and where it is above min_crease with a clear
-  // crease in the neighbourhood a point belongs to it, else to a curved surface. A right-angle crease has 0.2 in its middle
-  // and 0.03 one radius away; a cylinder of three times the ball's radius has 0.03 everywhere.
+  // NormalSpread::across: where it is above clear_crease there is a crease, and where it is above min_crease with a
+  // clear crease in the neighbourhood a point belongs to it, else to a curved surface. A right-angle crease has 0.2 in
+  // its middle and 0.03 one radius away; a cylinder of three times the ball's radius has 0.03 everywhere.
   double min_crease = 0.035;
   double clear_crease = 0.1;
 

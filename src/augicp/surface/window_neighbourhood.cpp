@@ -33,7 +33,8 @@ void sum_along(const IndexImage& index, const std::vector<Arms>& arms, bool alon
           for (int k = 0; k < length; ++k) {
             const std::int32_t i = point_at(k);
             if (i == IndexImage::kNone) continue;
-            const int before = along_rows ? arms[i].left : arms[i].up, after = along_rows ? arms[i].right : arms[i].down;
+            const int before = along_rows ? arms[i].left : arms[i].up,
+                      after = along_rows ? arms[i].right : arms[i].down;
             sums.col(i) = prefix.col(k + after + 1) - prefix.col(k - before);
           }
         }

@@ -43,7 +43,8 @@ Channels random_channels(std::size_t count) {
 }
 
 // Its documented region: from the pixel along its column, from each point met there along the row, as the arms say.
-Eigen::ArrayXd sum_over_arms(const IndexImage& index, const std::vector<Arms>& arms, const Channels& values, int u, int v) {
+Eigen::ArrayXd sum_over_arms(const IndexImage& index, const std::vector<Arms>& arms, const Channels& values, int u,
+                             int v) {
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(values.rows());
   const Arms& own = arms[index.at(u, v)];
   for (int y = v - own.up; y <= v + own.down; ++y) {
@@ -108,7 +109,8 @@ TEST(WindowNeighbourhood, HolesDoNotBreakAWindow) {
   const Rendering seen = render(single_plane(), kinect_like_camera(80));
   DepthImage with_holes = seen.depth;
   for (int k = 0; k < with_holes.width; k += 4)
-    for (int v = 0; v < with_holes.height; ++v) with_holes.depth[static_cast<std::size_t>(v) * with_holes.width + k] = std::nanf("");
+    for (int v = 0; v < with_holes.height; ++v)
+      with_holes.depth[static_cast<std::size_t>(v) * with_holes.width + k] = std::nanf("");
   const OrganizedCloud whole = unproject(seen.depth, seen.camera), part = unproject(with_holes, seen.camera);
   const auto count_at = [](const OrganizedCloud& image, int u, int v) {
     const Channels ones = Channels::Ones(1, static_cast<Eigen::Index>(image.cloud.size()));
@@ -122,15 +124,16 @@ TEST(WindowNeighbourhood, EmptyImageAndSinglePixel) {
   EXPECT_EQ(WindowNeighbourhood(nothing.cloud, nothing.index, options_with(0.1), 0).sum(Channels(2, 0), 0).cols(), 0);
   const OrganizedCloud pixel = unproject({1, 1, {2.0f}}, {500.0, 500.0, 0.0, 0.0, 1, 1});
   EXPECT_EQ(WindowNeighbourhood(pixel.cloud, pixel.index, options_with(0.1), 0).sum(Channels::Ones(1, 1), 0)(0), 1.0);
-  EXPECT_EQ(ExactWindowNeighbourhood(pixel.cloud, pixel.index, options_with(0.1), 0).sum(Channels::Ones(1, 1), 0)(0), 1.0);
+  EXPECT_EQ(ExactWindowNeighbourhood(pixel.cloud, pixel.index, options_with(0.1), 0).sum(Channels::Ones(1, 1), 0)(0),
+            1.0);
 }
 
 TEST(WindowNeighbourhood, RefusesBadOptions) {
   const OrganizedCloud pixel = unproject({1, 1, {2.0f}}, {500.0, 500.0, 0.0, 0.0, 1, 1});
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const WindowOptions& options : {WindowOptions{0.0, 0.0, 0.02}, WindowOptions{-1.0, 0.0, 0.02},
-                                       WindowOptions{nan, 0.0, 0.02}, WindowOptions{0.1, -1.0, 0.02},
-                                       WindowOptions{0.1, nan, 0.02}, WindowOptions{0.1, 0.0, 0.0}}) {
+  for (const WindowOptions& options :
+       {WindowOptions{0.0, 0.0, 0.02}, WindowOptions{-1.0, 0.0, 0.02}, WindowOptions{nan, 0.0, 0.02},
+        WindowOptions{0.1, -1.0, 0.02}, WindowOptions{0.1, nan, 0.02}, WindowOptions{0.1, 0.0, 0.0}}) {
     EXPECT_THROW(WindowNeighbourhood(pixel.cloud, pixel.index, options, 0), std::invalid_argument);
     EXPECT_THROW(ExactWindowNeighbourhood(pixel.cloud, pixel.index, options, 0), std::invalid_argument);
   }
@@ -143,7 +146,8 @@ TEST(WindowNeighbourhood, ThreadsDoNotChangeTheBits) {
   const Channels exact = ExactWindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), 1).sum(values, 1);
   for (int n : {2, 3, 8}) {
     EXPECT_TRUE((WindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), n).sum(values, n) == fast).all());
-    EXPECT_TRUE((ExactWindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), n).sum(values, n) == exact).all());
+    EXPECT_TRUE(
+        (ExactWindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), n).sum(values, n) == exact).all());
   }
 }
 
