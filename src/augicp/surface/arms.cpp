@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "augicp/core/check.h"
+
 namespace augicp {
 namespace {
 
@@ -13,6 +15,12 @@ bool is_step(const Vec3f& a, const Vec3f& b, int pixels_between, double max_step
 }
 
 }  // namespace
+
+void check(const WindowOptions& options) {
+  require_positive("radius", options.radius);
+  require_not_negative("radius_per_depth", options.radius_per_depth);
+  require_positive("max_step_per_depth", options.max_step_per_depth);
+}
 
 double ball_radius(const Vec3f& point, const WindowOptions& options) {
   return std::max(options.radius, options.radius_per_depth * static_cast<double>(point.z()));
@@ -25,8 +33,8 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
   for (int k = 0; k < length; ++k) {
     const std::int32_t point = along_rows ? index.at(k, which) : index.at(which, k);
     if (point == IndexImage::kNone) continue;
-    if (!line.point.empty() && is_step(cloud.points[line.point.back()], cloud.points[point], k - line.position.back(),
-                                       max_step_per_depth))
+    if (!line.point.empty() &&
+        is_step(cloud.points[line.point.back()], cloud.points[point], k - line.position.back(), max_step_per_depth))
       ++run;
     line.position.push_back(k);
     line.point.push_back(point);
@@ -38,22 +46,23 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
 Reach reach_along(const Line& line, const Cloud& cloud, const std::vector<double>& half_side) {
   const auto count = static_cast<std::int32_t>(line.point.size());
   Reach reach{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
-  for (std::int32_t i = 0; i < count; ++i) {
+  // Neighbouring entries reach about as far, so a search starts where the last one's ended and goes inwards, at the
+  // worst to the entry itself, then outwards. First ends are searched for from left to right and last ends from right
+  // to left, so that the start is rather too far out than too far in: one noisy entry then does not cut an arm short.
+  const auto end_of = [&](std::int32_t i, std::int32_t start, std::int32_t outwards) {
     const Vec3f& centre = cloud.points[line.point[i]];
     const double limit = half_side[line.point[i]];
     const auto belongs = [&](std::int32_t k) {
       return k >= 0 && k < count && line.run[k] == line.run[i] &&
              static_cast<double>((cloud.points[line.point[k]] - centre).squaredNorm()) <= limit * limit;
     };
-    // Neighbouring entries reach about as far, so the search starts where the last one ended: constant time on average.
-    std::int32_t first = i == 0 ? i : std::min(reach.first[i - 1], i), last = i == 0 ? i : std::max(reach.last[i - 1], i);
-    while (!belongs(first)) ++first;
-    while (belongs(first - 1)) --first;
-    while (!belongs(last)) --last;
-    while (belongs(last + 1)) ++last;
-    reach.first[i] = first;
-    reach.last[i] = last;
-  }
+    std::int32_t end = start;
+    while (end != i && !belongs(end)) end -= outwards;
+    while (belongs(end + outwards)) end += outwards;
+    return end;
+  };
+  for (std::int32_t i = 0; i < count; ++i) reach.first[i] = end_of(i, i == 0 ? i : reach.first[i - 1], -1);
+  for (std::int32_t i = count - 1; i >= 0; --i) reach.last[i] = end_of(i, i == count - 1 ? i : reach.last[i + 1], 1);
   return reach;
 }
 

@@ -13,6 +13,9 @@ namespace augicp {
 // Half the side of the square with the area of a unit disc.
 inline constexpr double kSquareHalfSide = 0.886226925452758;
 
+// Throws std::invalid_argument where an option is out of bounds.
+void check(const WindowOptions& options);
+
 // The radius of the ball around a point of a depth image.
 double ball_radius(const Vec3f& point, const WindowOptions& options);
 
@@ -26,7 +29,8 @@ struct Line {
 // Line `which` of the image: row (along_rows) or column. A missing reading does not end a run, a step in depth does.
 Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, int which, double max_step_per_depth);
 
-// For every entry of the line, the first and last entry of its run within half_side (per entry, metres) of it.
+// For every entry of the line, how far its run reaches both ways within half_side (per entry, metres) of it. Both ends
+// are within half_side; noise may put single entries between them a little farther away.
 struct Reach {
   std::vector<std::int32_t> first, last;
 };

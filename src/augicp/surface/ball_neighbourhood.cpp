@@ -16,7 +16,8 @@ void sort_by_index(std::vector<Neighbour>& found) {
   std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
 }
 
-void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& options, std::vector<Neighbour>& found) {
+void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& options,
+                     std::vector<Neighbour>& found) {
   const auto radius_sq = static_cast<float>(options.radius * options.radius);
   tree.within(point, radius_sq, found);
   if (found.size() < options.min_points && options.max_radius > options.radius) {
@@ -32,6 +33,7 @@ void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& 
 BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& options, int num_threads)
     : begin_(cloud.size() + 1, 0) {
   require_positive("radius", options.radius);
+  require_not_negative("max_radius", options.max_radius);
   const KdTree tree(cloud);
   const std::size_t num_blocks = (cloud.size() + kPointsPerBlock - 1) / kPointsPerBlock;
   std::vector<std::vector<std::uint32_t>> of_block(num_blocks);

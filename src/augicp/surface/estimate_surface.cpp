@@ -6,6 +6,12 @@
 namespace augicp {
 namespace {
 
+// A unit vector from the sensor to the point; zero where the sensor's place is unknown.
+Vec3d line_of_sight(const Cloud& cloud, std::size_t i) {
+  if (!cloud.viewpoint) return Vec3d::Zero();
+  return (cloud.points[i] - *cloud.viewpoint).cast<double>().stableNormalized();
+}
+
 // Upper triangle of a symmetric matrix as six numbers, and back.
 void pack(const Mat3d& m, Eigen::Ref<Eigen::Array<double, 6, 1>> packed) {
   packed << m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2);
@@ -37,16 +43,76 @@ Gaussian gaussian_of(const Eigen::Ref<const Eigen::ArrayXd>& moments) {
   return gaussian;
 }
 
+// Weight and weighted outer product of a direction, both signs of which are alike.
+void add_direction(const Vec3d& direction, double weight, Eigen::Ref<Eigen::ArrayXd> moments) {
+  moments[0] = weight;
+  pack(weight * direction * direction.transpose(), moments.segment<6>(1));
+}
+
 // Only normals count: a wire beside a wall must not turn the wall into an edge.
 Channels normal_moments(const std::vector<Shape>& shapes) {
   Channels moments = Channels::Zero(7, static_cast<Eigen::Index>(shapes.size()));
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (shapes[i].direction.isZero()) continue;
-    auto column = moments.col(static_cast<Eigen::Index>(i));
-    column[0] = 1.0;
-    pack(shapes[i].direction * shapes[i].direction.transpose(), column.segment<6>(1));
-  }
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (shapes[i].structure == Structure::Planar)
+      add_direction(shapes[i].direction, 1.0, moments.col(static_cast<Eigen::Index>(i)));
   return moments;
+}
+
+// Only clear creases count, the middle of one more than its sides.
+Channels tangent_moments(const std::vector<NormalSpread>& spreads, const ShapeThresholds& thresholds) {
+  Channels moments = Channels::Zero(7, static_cast<Eigen::Index>(spreads.size()));
+  for (std::size_t i = 0; i < spreads.size(); ++i)
+    if (spreads[i].across >= thresholds.clear_crease && spreads[i].along <= thresholds.max_corner)
+      add_direction(spreads[i].tangent, spreads[i].across, moments.col(static_cast<Eigen::Index>(i)));
+  return moments;
+}
+
+// First step, or for the paper's classifier the only one.
+std::vector<Shape> shapes_of_points(const Cloud& cloud, const Neighbourhood& neighbourhood,
+                                    const SurfaceOptions& options, int num_threads) {
+  const Channels sums = neighbourhood.sum(point_moments(cloud), num_threads);
+  std::vector<Shape> shapes(cloud.size());
+  for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Gaussian points = gaussian_of(sums.col(static_cast<Eigen::Index>(i)));
+      const Eigen3 eigen = eigen_of_symmetric(points.covariance);
+      shapes[i] = options.classifier == Classifier::Eigenvalues
+                      ? shape_of_points(points, eigen, options.thresholds)
+                      : line_or_normal(points, eigen, line_of_sight(cloud, i), options.thresholds);
+    }
+  });
+  return shapes;
+}
+
+// Second step. Zero for lines, and where too few neighbours have a normal.
+std::vector<NormalSpread> normal_spreads(const std::vector<Shape>& shapes, const Neighbourhood& neighbourhood,
+                                         const ShapeThresholds& thresholds, int num_threads) {
+  const Channels sums = neighbourhood.sum(normal_moments(shapes), num_threads);
+  std::vector<NormalSpread> spreads(shapes.size());
+  for_each_block(shapes.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto column = sums.col(static_cast<Eigen::Index>(i));
+      if (shapes[i].structure == Structure::Edge || column[0] < thresholds.min_points) continue;
+      spreads[i] = spread_of_normals(unpack(column.segment<6>(1)) / column[0]);
+    }
+  });
+  return spreads;
+}
+
+// Third step: what lies on a crease becomes an edge, what lies in a corner nothing.
+void find_creases(std::vector<Shape>& shapes, const std::vector<NormalSpread>& spreads,
+                  const Neighbourhood& neighbourhood, const ShapeThresholds& thresholds, int num_threads) {
+  const Channels sums = neighbourhood.sum(tangent_moments(spreads, thresholds), num_threads);
+  for_each_block(shapes.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto column = sums.col(static_cast<Eigen::Index>(i));
+      if (spreads[i].across < thresholds.min_crease) continue;
+      if (spreads[i].along > thresholds.max_corner)
+        shapes[i] = {};
+      else if (column[0] >= thresholds.clear_crease)
+        shapes[i] = {Structure::Edge, eigen_of_symmetric(unpack(column.segment<6>(1))).vectors.col(2)};
+    }
+  });
 }
 
 void towards(const Vec3f& viewpoint, const Vec3f& point, Vec3f& normal) {
@@ -66,30 +132,12 @@ void store(const std::vector<Shape>& shapes, Cloud& cloud) {
 
 }  // namespace
 
-void estimate_surface(Cloud& cloud, const Neighbourhood& neighbourhood, const SurfaceOptions& options, int num_threads) {
-  const ShapeThresholds& thresholds = options.thresholds;
-  const bool by_normals = options.classifier == Classifier::Normals;
-  std::vector<Shape> shapes(cloud.size());
-  std::vector<Shape> normals(cloud.size());
-  const Channels sums = neighbourhood.sum(point_moments(cloud), num_threads);
-  for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Gaussian points = gaussian_of(sums.col(static_cast<Eigen::Index>(i)));
-      const Eigen3 eigen = eigen_of_symmetric(points.covariance);
-      shapes[i] = shape_of_points(points, eigen, thresholds);
-      if (points.count >= thresholds.min_points && eigen.values[1] >= thresholds.max_line_ratio * eigen.values[2])
-        normals[i] = {Structure::Planar, eigen.vectors.col(0)};
-    }
-  });
-  if (by_normals) {
-    const Channels around = neighbourhood.sum(normal_moments(normals), num_threads);
-    for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto column = around.col(static_cast<Eigen::Index>(i));
-        if (normals[i].structure == Structure::None || column[0] < thresholds.min_points) continue;
-        shapes[i] = shape_of_normals(normals[i], unpack(column.segment<6>(1)) / column[0], thresholds);
-      }
-    });
+void estimate_surface(Cloud& cloud, const Neighbourhood& neighbourhood, const SurfaceOptions& options,
+                      int num_threads) {
+  std::vector<Shape> shapes = shapes_of_points(cloud, neighbourhood, options, num_threads);
+  if (options.classifier == Classifier::Normals) {
+    const auto spreads = normal_spreads(shapes, neighbourhood, options.thresholds, num_threads);
+    find_creases(shapes, spreads, neighbourhood, options.thresholds, num_threads);
   }
   store(shapes, cloud);
 }

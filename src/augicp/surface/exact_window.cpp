@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 #include "augicp/surface/arms.h"
 #include "augicp/surface/window_neighbourhood.h"
@@ -29,8 +28,8 @@ Runs find_runs(const Cloud& cloud, const IndexImage& index, double max_step_per_
   return runs;
 }
 
-// Distance from the centre to the ray on which a point was seen. It grows with the pixel distance, so that a search that
-// walks away from the centre may stop where it exceeds the ball.
+// Distance from the centre to the ray on which a point was seen. It grows with the pixel distance, so that a search
+// that walks away from the centre may stop where it exceeds the ball.
 double distance_to_ray(const Vec3f& centre, const Vec3f& seen) {
   return static_cast<double>(centre.cross(seen.normalized()).norm());
 }
@@ -44,7 +43,8 @@ void collect_row(const Cloud& cloud, const IndexImage& index, const Runs& runs, 
       const std::int32_t i = index.at(k, v);
       if (i == IndexImage::kNone) continue;
       if (runs.in_row[i] != run || distance_to_ray(centre, cloud.points[i]) > kSlack * radius) return;
-      if (static_cast<double>((cloud.points[i] - centre).norm()) <= radius) found.push_back(static_cast<std::uint32_t>(i));
+      if (static_cast<double>((cloud.points[i] - centre).norm()) <= radius)
+        found.push_back(static_cast<std::uint32_t>(i));
     }
   };
   walk(u, 1);
@@ -72,7 +72,7 @@ void collect(const Cloud& cloud, const IndexImage& index, const Runs& runs, int 
 ExactWindowNeighbourhood::ExactWindowNeighbourhood(const Cloud& cloud, const IndexImage& index,
                                                    const WindowOptions& options, int num_threads)
     : neighbours_(cloud.size()) {
-  require_positive("radius", options.radius);
+  check(options);
   const Runs runs = find_runs(cloud, index, options.max_step_per_depth);
   for_each_block(
       index.index.size(), num_threads,

@@ -31,9 +31,20 @@ struct ShapeThresholds {
   // l1 / l2 of the points: below, they lie on a line (a wire, the rim of a thin board).
   double max_line_ratio = 0.1;
 
-  // Of the normals around a point, as shares of 1: where the second eigenvalue of their mean outer product is above
-  // min_crease they point two ways, as around a crease; where the third is above min_corner, three ways.
-  double min_crease = 0.05;
+  // A line closer than this to the line of sight is no wire, but what little is seen of a steep surface. Radians.
+  double min_line_to_sight = 0.45;
+
+  // l0 / l1 of the points: above, they are as thick as wide (a tangle, or more noise than the ball has size) and have
+  // no normal. A right-angle crease through the middle has 0.28.
+  double max_thickness = 0.5;
+
+  // NormalSpread::across: where it is above clear_crease there is a crease, and where it is above min_crease with a
+  // clear crease in the neighbourhood a point belongs to it, else to a curved surface. A right-angle crease has 0.2 in
+  // its middle and 0.03 one radius away; a cylinder of three times the ball's radius has 0.03 everywhere.
+  double min_crease = 0.035;
+  double clear_crease = 0.1;
+
+  // Smallest eigenvalue of the mean outer product of these normals: above, they point three ways, as in a corner.
   double max_corner = 0.02;
 };
 
@@ -44,9 +55,19 @@ struct Shape {
 };
 Shape shape_of_points(const Gaussian& points, const Eigen3& eigen, const ShapeThresholds& thresholds);
 
-// Ours: the points say what is a line and give the normals; the normals around a point say whether it lies on one
-// surface, on a crease, whose tangent every normal is orthogonal to, or in a corner. A crease is so found and its
-// tangent known even far from the middle of the ball, where the points' own second and third eigenvalue are alike.
-Shape shape_of_normals(const Shape& of_points, const Mat3d& mean_outer_normal, const ShapeThresholds& thresholds);
+// Ours, in three steps of which each looks at the same neighbourhood.
+//
+// First, the points give a line, or a normal, or neither. The line of sight is a unit vector; zero where it is unknown.
+Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const Vec3d& line_of_sight,
+                     const ShapeThresholds& thresholds);
+
+// Second, the normals around a point, all orthogonal to the tangent of a crease, say how far they spread around it, and
+// whether they spread along it too, as in a corner.
+struct NormalSpread {
+  Vec3d tangent = Vec3d::Zero();
+  double across = 0.0;  // second and third eigenvalue of the mean outer product of the normals
+  double along = 0.0;
+};
+NormalSpread spread_of_normals(const Mat3d& mean_outer_normal);
 
 }  // namespace augicp

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/surface/window_neighbourhood.h"
 
-#include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 #include "augicp/surface/arms.h"
 
@@ -34,7 +33,8 @@ void sum_along(const IndexImage& index, const std::vector<Arms>& arms, bool alon
           for (int k = 0; k < length; ++k) {
             const std::int32_t i = point_at(k);
             if (i == IndexImage::kNone) continue;
-            const int before = along_rows ? arms[i].left : arms[i].up, after = along_rows ? arms[i].right : arms[i].down;
+            const int before = along_rows ? arms[i].left : arms[i].up,
+                      after = along_rows ? arms[i].right : arms[i].down;
             sums.col(i) = prefix.col(k + after + 1) - prefix.col(k - before);
           }
         }
@@ -47,8 +47,7 @@ void sum_along(const IndexImage& index, const std::vector<Arms>& arms, bool alon
 WindowNeighbourhood::WindowNeighbourhood(const Cloud& cloud, const IndexImage& index, const WindowOptions& options,
                                          int num_threads)
     : index_(index), arms_(cloud.size()) {
-  require_positive("radius", options.radius);
-  require_positive("max_step_per_depth", options.max_step_per_depth);
+  check(options);
   const std::vector<double> sides = half_sides(cloud, options);
   for (bool along_rows : {true, false}) {
     for_each_block(
