@@ -12,8 +12,10 @@ namespace {
 // the rotation is no better than what curvature and wrong pairs make of them. Chosen on fr1/desk.
 constexpr double kLeverPerRadius = 1.4;
 
-// Closes the gate fast enough for partial overlap (redkitchen, generated rooms), slowly enough for far guesses.
-constexpr double kGatePerMedian = 4.0;
+// A nearest neighbour is near by construction, right or wrong, so that the gate must close where scans overlap in part
+// (redkitchen, generated rooms). A pair on a line of sight may be far apart though right: closing its gate cost half of
+// the large motions on fr1/desk.
+constexpr double kGatePerMedianNearest = 4.0;
 
 constexpr double kMinKernelPerRadius = 0.01;
 
@@ -62,13 +64,13 @@ SurfaceOptions surface_options(const RegistrationOptions& options) {
   return surface;
 }
 
-AlignOptions align_options(const Lengths& lengths, const RegistrationOptions& options) {
+AlignOptions align_options(const Lengths& lengths, bool projective, const RegistrationOptions& options) {
   AlignOptions align;
   align.information = information_for(options);
   align.gates.max_distance = lengths.max_distance;
   align.gates.max_angle = options.max_angle;
-  if (options.preset == Preset::Default) {
-    align.gate_per_median = kGatePerMedian;
+  if (options.preset == Preset::Default && !projective) {
+    align.gate_per_median = kGatePerMedianNearest;
     align.min_max_distance = lengths.radius;
   }
   const double hardly_off = kMinKernelPerRadius * lengths.radius;

@@ -53,6 +53,6 @@ struct RegistrationOptions {
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options);
 
 SurfaceOptions surface_options(const RegistrationOptions& options);
-AlignOptions align_options(const Lengths& lengths, const RegistrationOptions& options);
+AlignOptions align_options(const Lengths& lengths, bool projective, const RegistrationOptions& options);
 
 }  // namespace augicp

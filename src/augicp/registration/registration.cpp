@@ -60,7 +60,7 @@ AlignResult register_prepared(const Scan& source, const Scan& target, const Rigi
     nothing.target_from_source = initial_target_from_source;
     return nothing;
   }
-  const AlignOptions align_by = align_options(lengths, options);
+  const AlignOptions align_by = align_options(lengths, projective, options);
   if (!projective) return align(source.cloud, NearestMatcher(target.cloud), initial_target_from_source, align_by);
   return align(source.cloud, ProjectiveMatcher(target.cloud, target.view->index, target.view->camera),
                initial_target_from_source, align_by);
