@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The stages one by one, for those who want to replace one: every arrow is a plain value.
+#include <algorithm>
 #include <iostream>
 
 #include "augicp/align/damped_step.h"
@@ -29,8 +30,8 @@ int main(int argc, char** argv) {
   }
   const augicp::Cloud source = extended_points(argv[1]), target = extended_points(argv[2]);
   const augicp::NearestMatcher matcher(target);
-  const augicp::Gates gates{.max_distance = 0.3};
-  const augicp::Objective objective{.information = augicp::default_information(), .kernel_chi2 = 10.0};
+  augicp::Gates gates{.max_distance = 1.0};
+  const augicp::Objective objective{.information = augicp::default_information(), .kernel_chi2 = 100.0};
 
   // Between the clouds' points, that is, without their origins; both are zero here.
   augicp::Rigid3 target_from_source;
@@ -39,8 +40,9 @@ int main(int argc, char** argv) {
     const auto equations = augicp::linearize(source, target, pairs, target_from_source, objective, kNumThreads);
     const augicp::Vec6d step = augicp::damped_step(equations, /*damping=*/1e-6);
     target_from_source = augicp::retract(target_from_source, step);
+    gates.max_distance = std::max(0.1, 0.8 * gates.max_distance);  // closes as the clouds meet
     std::cout << pairs.size() << " pairs, cost " << equations.cost << ", step " << step.norm() << "\n";
-    if (step.norm() < 1e-5) {
+    if (step.norm() < 1e-3) {
       std::cout << "converged\n" << target_from_source.matrix() << "\n";
       return 0;
     }

@@ -55,10 +55,16 @@ class CommandTest(unittest.TestCase):
         self.assertLess(distance(json.loads((self.folder / "again.json").read_text())["T_target_source"], identity), 0.005)
 
     def test_swapping_gives_the_inverse(self):
-        there = self.align()["T_target_source"]
-        back = json.loads(run("align", ROOM / "target.ply", ROOM / "source.ply", "--json", "-").stdout)["T_target_source"]
+        truth = matrix(ROOM / "T_target_source.txt")
+        turned = [[truth[j][i] for j in range(3)] for i in range(3)]
+        inverse = [turned[i] + [-sum(turned[i][k] * truth[k][3] for k in range(3))] for i in range(3)] + [[0, 0, 0, 1]]
+        guess = self.folder / "guess.txt"
+        guess.write_text("\n".join(" ".join(map(str, row)) for row in inverse))
+        there = self.align("--initial", ROOM / "T_target_source.txt")["T_target_source"]
+        finished = run("align", ROOM / "target.ply", ROOM / "source.ply", "--json", "-", "--initial", guess)
+        back = json.loads(finished.stdout)["T_target_source"]
         product = [[sum(there[i][k] * back[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
-        self.assertLess(math.hypot(*(product[i][3] for i in range(3))), 0.03)
+        self.assertLess(math.hypot(*(product[i][3] for i in range(3))), 0.02)
 
     def test_depth_images_are_registered(self):
         finished = run("align", *IMAGES, "--camera", "tum-fr1", "--json", "-", "--trace")
