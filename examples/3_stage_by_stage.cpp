@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     const auto equations = augicp::linearize(source, target, pairs, target_from_source, objective, kNumThreads);
     const augicp::Vec6d step = augicp::damped_step(equations, /*damping=*/1e-6);
     target_from_source = augicp::retract(target_from_source, step);
-    gates.max_distance = std::max(0.1, 0.8 * gates.max_distance);  // closes as the clouds meet
+    gates.max_distance = std::max(0.1, 0.9 * gates.max_distance);  // closes as the clouds meet
     std::cout << pairs.size() << " pairs, cost " << equations.cost << ", step " << step.norm() << "\n";
     if (step.norm() < 1e-3) {
       std::cout << "converged\n" << target_from_source.matrix() << "\n";
