@@ -115,6 +115,11 @@ class CommandTest(unittest.TestCase):
             (3, ("align", self.folder, cloud)), (3, ("align", cloud, cloud, "--initial", self.folder / "mirror.txt")),
             (3, ("align", cloud, cloud, "--transform", "/dev/full")), (3, ("align", *IMAGES, "--camera", "tum-fr9")),
             (3, ("align", *IMAGES, "--camera", "tum-fr1", "--depth-scale", 1)),
+            (2, ("align", cloud, cloud, "--output", self.folder / "a.xyz")),
+            (2, ("surface", cloud, "--output", self.folder / "a.pcd")),
+            (3, ("surface", self.folder / "same.xyz", "--output", self.folder / "a.ply")),
+            (3, ("align", *IMAGES, "--camera", "525 525 1e300 2")),
+            (3, ("align", *IMAGES, "--camera", "tum-fr1", "--depth-scale", 1e-300)),
             (4, ("align", self.folder / "one.xyz", cloud)), (4, ("align", cloud, self.folder / "same.xyz")),
             (4, ("align", self.folder / "same.xyz", self.folder / "same.xyz")),
             (4, ("align", cloud, cloud, "--initial", far)),
@@ -148,6 +153,11 @@ class CommandTest(unittest.TestCase):
         header = output.read_bytes()[:2000].decode("latin-1")
         for words in (f"element vertex {points}", "property float nx", "property uchar red", "property uchar structure"):
             self.assertIn(words, header)
+
+    def test_full_standard_output_is_an_error(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            words = [str(AUGICP), "info", str(ROOM / "source.ply")]
+            self.assertEqual(subprocess.run(words, stdout=full, stderr=subprocess.PIPE, timeout=60, check=False).returncode, 3)
 
     def test_failed_writing_leaves_nothing(self):
         target = self.folder / "sub" / "T.txt"

@@ -78,13 +78,14 @@ ExitCode exit_code_for(AlignStatus status) {
 int run_align(AlignArguments arguments) {
   arguments.registration.max_angle = arguments.max_angle_deg * std::numbers::pi / 180.0;
   arguments.registration.check();
+  require_extension(arguments.output, {".ply", ".pcd"});
   Scan source;
   const AlignReport report = register_files(arguments, source);
   const Rigid3& pose = report.result.target_from_source;
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
+  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
   if (!arguments.transform.empty()) write_transform(arguments.transform, pose);
   if (!arguments.output.empty()) write_cloud(arguments.output, transform(source.cloud, pose));
-  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
-  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   return exit_code_for(report.result.status);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "augicp/io/camera_file.h"
@@ -38,7 +39,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   command.add_option("--bin-columns", options.read.num_bin_columns, "Numbers a point in .bin files: 4 (KITTI) or 3")
       ->capture_default_str()->group(group);
   command.add_option("--max-points", options.read.max_points, "Refuse clouds with more points")
-      ->capture_default_str()->group(group);
+      ->check(CLI::PositiveNumber)->capture_default_str()->group(group);
 }
 
 Input read_input(const std::filesystem::path& path, const InputOptions& options) {
@@ -47,6 +48,12 @@ Input read_input(const std::filesystem::path& path, const InputOptions& options)
   for (const std::string& warning : file.report.warnings)
     fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);
   return {scan_of(std::move(file.cloud)), std::move(file.report)};
+}
+
+void require_extension(const std::string& output, const std::vector<std::string>& extensions) {
+  const bool known = std::find(extensions.begin(), extensions.end(), lower_case_extension(output)) != extensions.end();
+  if (output.empty() || known) return;
+  throw std::invalid_argument(fmt::format("--output {}: must end in {}", output, fmt::join(extensions, " or ")));
 }
 
 }  // namespace augicp::app

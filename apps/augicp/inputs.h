@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "augicp/io/cloud_file.h"
 #include "augicp/registration/scan.h"
@@ -26,5 +27,8 @@ struct Input {
 
 // A depth image (.png) or a cloud. Throws IoError, or std::invalid_argument for a depth image without a camera.
 Input read_input(const std::filesystem::path& path, const InputOptions& options);
+
+// Throws std::invalid_argument unless the output is empty (not asked for) or ends in one of these, before any work is done.
+void require_extension(const std::string& output, const std::vector<std::string>& extensions);
 
 }  // namespace augicp::app

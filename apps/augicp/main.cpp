@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
   app.set_config("--config", "", "Read options from a TOML file, a section for each subcommand; flags win over it");
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 success, 1 internal error, 2 usage, 3 unreadable input, 4 registration failed,\n"
+  app.footer("Exit codes: 0 success, 1 internal error, 2 usage, 3 unreadable input or unwritable output, 4 registration failed,\n"
              "            5 result found but degenerate or doubtful, 130 interrupted.");
   int exit_code = kSuccess;
   add_align_command(app, exit_code);
@@ -42,7 +42,10 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace augicp::app;
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    // A full disk behind a redirection must not look like success.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail("standard output cannot be written", kInvalidInput);
+    return code;
   } catch (const augicp::IoError& error) {
     return fail(error.what(), kInvalidInput);
   } catch (const std::invalid_argument& error) {

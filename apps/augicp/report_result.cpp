@@ -41,13 +41,13 @@ nlohmann::ordered_json history_json(const AlignResult& result) {
 std::string advice_for(AlignStatus status) {
   switch (status) {
     case AlignStatus::Converged:
-      return "the last step was small";
+      return "the last step was small (a minimum; look at the overlap before you trust it)";
     case AlignStatus::IterationLimit:
       return "doubtful: still moving; allow more with --max-iterations, or give a better --initial";
     case AlignStatus::Degenerate:
       return "doubtful: the data leave at least one direction of motion open";
     case AlignStatus::TooFewPairs:
-      return "failed: too few points";
+      return "failed: too few points, or points without extent";
     case AlignStatus::NoOverlap:
       return "failed: hardly any source point meets the target; give a better --initial or a larger --max-distance";
     case AlignStatus::Diverged:

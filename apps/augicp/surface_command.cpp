@@ -7,6 +7,7 @@
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
+#include "augicp/core/error.h"
 #include "augicp/io/write_cloud.h"
 #include "augicp/registration/registration.h"
 
@@ -40,10 +41,12 @@ double percent(const Cloud& cloud, Structure structure) {
 
 int run_surface(const SurfaceArguments& arguments) {
   arguments.registration.check();
+  require_extension(arguments.output, {".ply"});
   Scan scan = read_input(arguments.input_file, arguments.input).scan;
   scan.cloud.directions.clear();  // asked for ours, not for what the file brought
   scan.cloud.structures.clear();
   const Lengths lengths = lengths_for(scan, scan, arguments.registration);
+  if (!(lengths.radius > 0.0)) throw IoError(arguments.input_file + ": all points lie in one place, there is no surface");
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
   std::vector<Colour> colours(cloud.size(), colour_of(Structure::None));
   std::transform(cloud.structures.begin(), cloud.structures.end(), colours.begin(), colour_of);

@@ -91,7 +91,7 @@ void check_depth_scale(const DepthImage& image, const std::filesystem::path& pat
   constexpr float kNearest = 0.05f, kFarthest = 200.0f;  // metres; depth cameras and LiDARs measure between
   std::vector<float> readings;
   std::copy_if(image.depth.begin(), image.depth.end(), std::back_inserter(readings),
-               [](float z) { return std::isfinite(z); });
+               [](float z) { return !std::isnan(z); });
   if (readings.empty()) return;
   const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
   std::nth_element(readings.begin(), middle, readings.end());

@@ -23,6 +23,14 @@ float quantile(std::vector<float> values, double share) {
   return *place;
 }
 
+std::vector<float> distances_from(const Vec3f& centre, const Cloud& cloud) {
+  std::vector<float> distances(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) distances[i] = (cloud.points[i] - centre).norm();
+  return distances;
+}
+
+}  // namespace
+
 Vec3f median_point(const Cloud& cloud) {
   Vec3f median;
   std::vector<float> coordinate(cloud.size());
@@ -33,13 +41,7 @@ Vec3f median_point(const Cloud& cloud) {
   return median;
 }
 
-std::vector<float> distances_from(const Vec3f& centre, const Cloud& cloud) {
-  std::vector<float> distances(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) distances[i] = (cloud.points[i] - centre).norm();
-  return distances;
-}
-
-}  // namespace
+double voxel_size_for(double radius) { return kVoxelPerRadius * radius; }
 
 double robust_extent(const Scan& scan) {
   if (scan.cloud.empty()) return 0.0;
@@ -52,7 +54,7 @@ Lengths derive_lengths(const Scan& source, const Scan& target) {
   Lengths lengths;
   lengths.extent = std::sqrt(robust_extent(source) * robust_extent(target));
   lengths.radius = kRadiusPerExtent * lengths.extent;
-  lengths.voxel_size = kVoxelPerRadius * lengths.radius;
+  lengths.voxel_size = voxel_size_for(lengths.radius);
   lengths.max_distance = kGatePerExtent * lengths.extent;
   return lengths;
 }

@@ -53,7 +53,7 @@ void RegistrationOptions::check() const {
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options) {
   Lengths lengths = derive_lengths(source, target);
   lengths.radius = options.radius.value_or(lengths.radius);
-  lengths.voxel_size = options.voxel_size.value_or(lengths.voxel_size);
+  lengths.voxel_size = options.voxel_size.value_or(voxel_size_for(lengths.radius));
   lengths.max_distance = options.max_distance.value_or(lengths.max_distance);
   return lengths;
 }

@@ -16,7 +16,19 @@ namespace {
 constexpr std::size_t kMinBallPoints = 10;
 constexpr double kMaxBallGrowth = 3.0;
 
-// A grid that would need more cells than a key holds: outliers far away, where a coarser voxel loses nothing.
+// Far outliers (a single "no reading" at zero in a cloud of UTM coordinates) belong to no scene and would only stretch
+// the grid.
+constexpr double kReachPerExtent = 1000.0;
+Cloud without_far_outliers(const Cloud& cloud, double extent) {
+  const Vec3f centre = median_point(cloud);
+  const auto reach = static_cast<float>(kReachPerExtent * extent);
+  std::vector<std::uint32_t> within;
+  for (std::uint32_t i = 0; i < cloud.size(); ++i)
+    if ((cloud.points[i] - centre).norm() <= reach) within.push_back(i);
+  return within.size() == cloud.size() ? cloud : select(cloud, within);
+}
+
+// A voxel asked for that would need more cells than a key holds becomes the finest that does not.
 double feasible_voxel(const Cloud& cloud, double voxel_size) {
   constexpr double kCells = 1 << 20;
   return std::max(voxel_size, bounds(cloud).diagonal() / kCells);
@@ -43,8 +55,10 @@ bool is_projective(const Scan& target, Association association) {
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
   // Without extent there are no lengths and no surface: empty, or all points in one place.
   if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
-  if (!scan.view && lengths.voxel_size > 0.0)
+  if (!scan.view) {
+    scan.cloud = without_far_outliers(scan.cloud, lengths.extent);
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
+  }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
   if (scan.cloud.has_directions()) return scan;
   const auto neighbourhood = neighbourhood_of(scan, lengths, options.num_threads);

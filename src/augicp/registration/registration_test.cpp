@@ -139,6 +139,18 @@ TEST(Registration, HopelessInputFails) {
   }
 }
 
+// One "no reading" at zero in a cloud of far coordinates must not cost the other points.
+TEST(Registration, AFarOutlierChangesNothing) {
+  const Pair pair = room_clouds();
+  const AlignResult expected = register_scans(pair.source, pair.target);
+  for (float distance : {1e5f, 1e6f, 1e9f}) {
+    Scan source = pair.source;
+    source.cloud.points.emplace_back(distance, 0.0f, 0.0f);
+    source.cloud.weights.push_back(1.0f);
+    EXPECT_THAT(register_scans(source, pair.target).target_from_source, NearPose(expected.target_from_source, 1e-3, 2e-3));
+  }
+}
+
 TEST(Registration, ProjectiveNeedsAnImage) {
   const Pair pair = room_clouds();
   RegistrationOptions options;

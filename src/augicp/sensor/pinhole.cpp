@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "augicp/core/check.h"
 
@@ -28,10 +29,12 @@ constexpr std::array<NamedCamera, 6> kCameras{{
 }  // namespace
 
 void Pinhole::check() const {
-  require_positive("fx", fx);
-  require_positive("fy", fy);
-  require(std::isfinite(cx), "cx", cx, "must be finite");
-  require(std::isfinite(cy), "cy", cy, "must be finite");
+  // Far beyond any camera, and within what the projection's floats can hold.
+  constexpr double kMin = 1e-3, kMax = 1e6;
+  for (const auto& [name, value] : {std::pair{"fx", fx}, std::pair{"fy", fy}})
+    require(value >= kMin && value <= kMax, name, value, "must be from 0.001 to 1e6 pixels");
+  for (const auto& [name, value] : {std::pair{"cx", cx}, std::pair{"cy", cy}})
+    require(std::abs(value) <= kMax, name, value, "must be from -1e6 to 1e6 pixels");
 }
 
 std::optional<Pinhole> camera_by_name(std::string_view name) {

@@ -20,7 +20,7 @@ struct Pinhole {
   int width = 0;  // of the images this camera makes; 0: unknown, any size fits
   int height = 0;
 
-  // Throws std::invalid_argument unless the focal lengths are above 0 and all is finite.
+  // Throws std::invalid_argument unless the focal lengths are from 0.001 to 1e6 and the centre is within 1e6 of zero.
   void check() const;
 };
 
