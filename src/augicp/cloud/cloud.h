@@ -40,6 +40,9 @@ struct Cloud {
   bool has_directions() const { return !points.empty() && directions.size() == points.size(); }
 };
 
+// Whether normals of the two clouds compare with their sign: where both sensors' places are known.
+inline bool normals_have_signs(const Cloud& source, const Cloud& target) { return source.viewpoint && target.viewpoint; }
+
 // The frame moved: points, origin, viewpoint and directions, Eq. (4) and (7).
 Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a);
 

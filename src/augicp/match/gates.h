@@ -22,9 +22,4 @@ struct Gates {
   void check() const;
 };
 
-// Whether the directions of a pair compare with their sign: normals do where both sensors' places are known.
-inline bool is_signed(Structure structure, const Cloud& source, const Cloud& target) {
-  return structure == Structure::Planar && source.viewpoint && target.viewpoint;
-}
-
 }  // namespace augicp

@@ -23,7 +23,7 @@ PairFilter::PairFilter(const Cloud& source, const Cloud& target, const Rigid3& t
       min_cosine_(static_cast<float>(std::cos(std::min(gates.max_angle, std::numbers::pi)))),
       compares_angles_(gates.max_angle < std::numbers::pi && source.has_directions() && target.has_directions()),
       same_structure_(gates.same_structure && source.has_directions() && target.has_directions()),
-      signed_normals_(is_signed(Structure::Planar, source, target)) {}
+      signed_normals_(normals_have_signs(source, target)) {}
 
 bool PairFilter::passes(std::uint32_t source_index, const Vec3f& moved_source, std::uint32_t target_index) const {
   if (!((target_.points[target_index] - moved_source).squaredNorm() <= max_distance_sq_)) return false;

@@ -39,7 +39,7 @@ class PairErrors {
         rotation_(target_from_source.rotation.toRotationMatrix()),
         translation_(target_from_source.translation),
         compares_directions_(source.has_directions() && target.has_directions()),
-        signed_normals_(source.viewpoint && target.viewpoint) {}
+        signed_normals_(normals_have_signs(source, target)) {}
 
   PairError of(const Correspondence& pair) const {
     PairError e;
