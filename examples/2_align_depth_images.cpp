@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: example_2_align_depth_images SOURCE.png TARGET.png\n";
     return 2;
   }
-  const augicp::Pinhole camera = *augicp::camera_by_name("tum-fr1");
+  const augicp::DepthCamera camera = *augicp::camera_by_name("tum-fr1");
   const double depth_scale = 5000.0;  // of TUM: pixel value of one metre
   const augicp::Scan source = augicp::scan_of(augicp::read_depth_png(argv[1], depth_scale), camera);
   const augicp::Scan target = augicp::scan_of(augicp::read_depth_png(argv[2], depth_scale), camera);

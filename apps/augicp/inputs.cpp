@@ -16,7 +16,7 @@ namespace {
 
 Input read_depth_input(const std::filesystem::path& path, const InputOptions& options) {
   if (options.camera.empty())
-    throw std::invalid_argument(fmt::format("{}: a depth image needs --camera: a file, \"fx fy cx cy\" or one of {}",
+    throw std::invalid_argument(fmt::format("{}: a depth image needs --camera: a file, numbers \"fx fy cx cy\" or one of {}",
                                             path.string(), fmt::join(camera_names(), " ")));
   const DepthImage image = read_depth_png(path, options.depth_scale);
   check_depth_scale(image, path, options.depth_scale);

@@ -2,6 +2,7 @@
 #include "augicp/io/camera_file.h"
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -14,6 +15,9 @@
 namespace augicp {
 namespace {
 
+// A second number above this is a focal length, pixels.
+constexpr double kMaxSkew = 10.0;
+
 // Of a matrix row by row: fx 0 cx, 0 fy cy, 0 0 1.
 Pinhole from_matrix(const std::array<double, 9>& k) {
   const std::array<double, 9> expected{k[0], 0.0, k[2], 0.0, k[4], k[5], 0.0, 0.0, 1.0};
@@ -21,11 +25,15 @@ Pinhole from_matrix(const std::array<double, 9>& k) {
   return {k[0], k[4], k[2], k[5]};
 }
 
-Pinhole from_numbers(std::string_view text) {
+DepthCamera from_numbers(std::string_view text) {
   const std::vector<double> n = parse_number_list("camera", text, /*max_count=*/9);
-  if (n.size() == 4) return {n[0], n[1], n[2], n[3]};
-  if (n.size() == 9) return from_matrix({n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]});
-  throw std::invalid_argument(fmt::format("camera: expected fx fy cx cy or a 3x3 matrix, found {} numbers", n.size()));
+  const Pinhole pinhole = n.size() >= 4 ? Pinhole{n[0], n[1], n[2], n[3]} : Pinhole{};
+  if (n.size() == 4) return {pinhole, {}};
+  // Nine numbers are a lens behind the pinhole, or a matrix, whose second number is the skew and never a focal length.
+  if (n.size() == 9 && std::abs(n[1]) > kMaxSkew) return {pinhole, {n[4], n[5], n[6], n[7], n[8]}};
+  if (n.size() == 9) return {from_matrix({n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]}), {}};
+  throw std::invalid_argument(
+      fmt::format("camera: expected fx fy cx cy, with or without k1 k2 p1 p2 k3, or a 3x3 matrix, found {} numbers", n.size()));
 }
 
 int image_side(std::string_view json, const char* key) {
@@ -38,15 +46,27 @@ int image_side(std::string_view json, const char* key) {
   return static_cast<int>(side);
 }
 
-Pinhole from_json(std::string_view text) {
+Distortion distortion_of(std::string_view json) {
+  const std::vector<double> d = json_numbers("camera", json, "distortion").value_or(std::vector<double>(5, 0.0));
+  if (d.size() != 5) throw std::invalid_argument("camera: expected \"distortion\" with 5 numbers k1 k2 p1 p2 k3");
+  return {d[0], d[1], d[2], d[3], d[4]};
+}
+
+double readout_of(std::string_view json) {
+  const std::vector<double> readout = json_numbers("camera", json, "readout_s").value_or(std::vector<double>{0.0});
+  if (readout.size() != 1) throw std::invalid_argument("camera: expected \"readout_s\" to be one number of seconds");
+  return readout.front();
+}
+
+DepthCamera from_json(std::string_view text) {
   const std::vector<double> columns = json_numbers("camera", text, "intrinsic_matrix").value_or(std::vector<double>{});
   std::array<double, 9> k{};
   if (columns.size() != k.size())
     throw std::invalid_argument("camera: expected \"intrinsic_matrix\" with 9 numbers in the JSON");
   for (std::size_t i = 0; i < k.size(); ++i) k[i % 3 * 3 + i / 3] = columns[i];
-  Pinhole camera = from_matrix(k);
-  camera.width = image_side(text, "width");
-  camera.height = image_side(text, "height");
+  DepthCamera camera{from_matrix(k), distortion_of(text), readout_of(text)};
+  camera.pinhole.width = image_side(text, "width");
+  camera.pinhole.height = image_side(text, "height");
   return camera;
 }
 
@@ -57,9 +77,9 @@ bool starts_with_a_number(std::string_view text) {
 
 }  // namespace
 
-Pinhole parse_camera(const FileBytes& file) {
+DepthCamera parse_camera(const FileBytes& file) {
   try {
-    const Pinhole camera = starts_like_json(file.bytes) ? from_json(file.bytes) : from_numbers(file.bytes);
+    const DepthCamera camera = starts_like_json(file.bytes) ? from_json(file.bytes) : from_numbers(file.bytes);
     camera.check();
     return camera;
   } catch (const std::invalid_argument& error) {
@@ -67,7 +87,7 @@ Pinhole parse_camera(const FileBytes& file) {
   }
 }
 
-Pinhole read_camera(const std::string& name_or_path_or_numbers) {
+DepthCamera read_camera(const std::string& name_or_path_or_numbers) {
   if (const auto camera = camera_by_name(name_or_path_or_numbers)) return *camera;
   std::error_code ignored;
   if (std::filesystem::exists(name_or_path_or_numbers, ignored)) {

@@ -19,7 +19,8 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-void expect_camera(const Pinhole& camera, int width, int height) {
+void expect_camera(const DepthCamera& depth_camera, int width, int height) {
+  const Pinhole& camera = depth_camera.pinhole;
   EXPECT_EQ(camera.fx, 585.0);
   EXPECT_EQ(camera.fy, 586.5);
   EXPECT_EQ(camera.cx, 320.0);
@@ -40,7 +41,24 @@ TEST(CameraFile, EveryFormMeansTheSameCamera) {
       640, 480);
 }
 
-TEST(CameraFile, KnownNamesComeWithTheirImageSize) { EXPECT_EQ(read_camera("tum-fr1").width, 640); }
+TEST(CameraFile, ALensFollowsThePinhole) {
+  const DepthCamera from_numbers = read_camera("585 586.5 320 240.25 0.1 -0.2 0.003 0.004 0.5");
+  expect_camera(from_numbers, 0, 0);
+  const DepthCamera from_json = parse_camera({"", R"({"intrinsic_matrix": [585,0,0, 0,586.5,0, 320,240.25,1],
+      "distortion": [0.1, -0.2, 0.003, 0.004, 0.5], "readout_s": 0.03})"});
+  expect_camera(from_json, 0, 0);
+  EXPECT_EQ(from_numbers.readout_s, 0.0);
+  EXPECT_EQ(from_json.readout_s, 0.03);
+  for (const Distortion& lens : {from_numbers.distortion, from_json.distortion}) {
+    EXPECT_EQ(lens.k1, 0.1);
+    EXPECT_EQ(lens.k2, -0.2);
+    EXPECT_EQ(lens.p1, 0.003);
+    EXPECT_EQ(lens.p2, 0.004);
+    EXPECT_EQ(lens.k3, 0.5);
+  }
+}
+
+TEST(CameraFile, KnownNamesComeWithTheirImageSize) { EXPECT_EQ(read_camera("tum-fr1").pinhole.width, 640); }
 
 TEST(CameraFile, AnUnknownNameListsTheKnownOnes) {
   try {
@@ -64,6 +82,10 @@ TEST(CameraFile, WhatIsNoCameraIsRefused) {
       {"{}", "expected \"intrinsic_matrix\""},
       {R"({"intrinsic_matrix": [1, 2]})", "expected \"intrinsic_matrix\""},
       {R"({"intrinsic_matrix": [585,0,0, 0,585,0, 320,240,"1"]})", "expected numbers"},
+      {"585 585 320 240 1e9 0 0 0 0", "k1"},
+      {R"({"distortion": [1, 2], "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "k1 k2 p1 p2 k3"},
+      {R"({"readout_s": [1, 2], "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "one number of seconds"},
+      {R"({"readout_s": -1, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "readout_s"},
       {R"({"width": 1e99, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "expected \"width\" in pixels"},
       {R"({"width": -1, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "expected \"width\" in pixels"}};
   for (const auto& [text, message] : cases) EXPECT_THAT(refusal(text), ::testing::HasSubstr(message)) << text;

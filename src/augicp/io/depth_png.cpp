@@ -57,13 +57,16 @@ void check_end(const FileBytes& file) {
     throw io_error(file.path, "expected a whole PNG, found no end chunk");
 }
 
+// The largest value says "out of range" where it is written at all (7-Scenes); no sensor measures up to it.
+constexpr std::uint16_t kOutOfRange = 65535;
+
 float metres(std::uint16_t value, double depth_scale) {
-  return value == 0 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value / depth_scale);
+  return value == 0 || value == kOutOfRange ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value / depth_scale);
 }
 
 std::uint16_t grey(float depth, double depth_scale) {
   const double value = std::round(static_cast<double>(depth) * depth_scale);
-  return value > 0.0 && value <= 65535.0 ? static_cast<std::uint16_t>(value) : std::uint16_t{0};  // NaN fails
+  return value > 0.0 && value < kOutOfRange ? static_cast<std::uint16_t>(value) : std::uint16_t{0};  // NaN fails
 }
 
 }  // namespace

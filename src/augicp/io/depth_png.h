@@ -8,8 +8,8 @@
 
 namespace augicp {
 
-// A depth image from a PNG of 16-bit grey values: metres = value / depth_scale (TUM: 5000, most others: 1000), 0 is no
-// reading. Throws IoError for any other kind of PNG and for a damaged one, std::invalid_argument unless depth_scale is
+// A depth image from a PNG of 16-bit grey values: metres = value / depth_scale (TUM: 5000, most others: 1000); 0
+// and 65535 are no reading. Throws IoError for any other kind of PNG and for a damaged one, std::invalid_argument unless depth_scale is
 // above 0.
 DepthImage read_depth_png(const std::filesystem::path& path, double depth_scale);
 

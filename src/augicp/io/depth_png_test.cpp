@@ -75,9 +75,9 @@ TEST(DepthPng, WriteThenReadIsIdentity) {
 
 TEST(DepthPng, WhatDoesNotFitIsWrittenAsNoReading) {
   const DepthImage image =
-      parse(png_of({5, 1, {66.0f, -1.0f, kNan, std::numeric_limits<float>::infinity(), 65.535f}}, 1000.0));
+      parse(png_of({5, 1, {66.0f, -1.0f, kNan, std::numeric_limits<float>::infinity(), 65.534f}}, 1000.0));
   for (int u = 0; u < 4; ++u) EXPECT_TRUE(std::isnan(image.at(u, 0))) << u;
-  EXPECT_EQ(image.at(4, 0), 65.535f);
+  EXPECT_EQ(image.at(4, 0), 65.534f);
 }
 
 // robustness 1, 7
@@ -111,6 +111,23 @@ TEST(DepthPng, OtherKindsAreNamedInTheError) {
 }
 
 // robustness 7
+// Cameras that fill in the largest value mean "out of range"; taken as 65.535 m it would be a wall behind everything.
+TEST(DepthPng, TheLargestValueIsNoReading) {
+  std::string png = png_of({1, 1, {1.0f}}, 1000.0).substr(0, kCrc + 4);
+  // An uncompressed block: no filter, the value ffff, and the checksum 1 + 0 + 255 + 255 over it.
+  const std::string_view data("IDAT\x78\x01\x01\x03\x00\xfc\xff\x00\xff\xff\x03\x00\x01\xff", 18);
+  const auto append_chunk = [&png](std::string_view chunk) {
+    const std::size_t start = png.size();
+    png.resize(start + 8 + chunk.size());
+    put_big_endian(png, start, static_cast<std::uint32_t>(chunk.size() - 4));
+    chunk.copy(png.data() + start + 4, chunk.size());
+    put_big_endian(png, start + 4 + chunk.size(), crc_of(chunk));
+  };
+  append_chunk(data);
+  append_chunk("IEND");
+  EXPECT_TRUE(std::isnan(parse(png).at(0, 0)));
+}
+
 TEST(DepthPng, AnImageWithoutReadingsIsRead) {
   const DepthImage image = parse(png_of({2, 1, {kNan, 0.0f}}, 1000.0));
   EXPECT_TRUE(std::isnan(image.at(0, 0)) && std::isnan(image.at(1, 0)));

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "augicp/sensor/depth_image.h"
+#include "augicp/sensor/depth_camera.h"
 
 namespace augicp {
 
@@ -25,6 +25,11 @@ inline Scan scan_of(const DepthImage& image, const Pinhole& camera, const DepthR
                     const DepthNoise& noise = {}) {
   OrganizedCloud seen = unproject(image, camera, range, noise);
   return {std::move(seen.cloud), Scan::View{std::move(seen.index), camera}};
+}
+
+// The same from what a real camera saw, free of its lens: see rectify().
+inline Scan scan_of(const DepthImage& image, const DepthCamera& camera, int step = 1, const DepthRange& range = {}) {
+  return scan_of(rectify(image, camera, step), thinned(camera.pinhole, step), range);
 }
 
 }  // namespace augicp

@@ -7,9 +7,8 @@
 #include "augicp/core/check.h"
 
 namespace augicp {
-namespace {
 
-void check_sizes(const DepthImage& image, const Pinhole& camera) {
+void check_size(const DepthImage& image, const Pinhole& camera) {
   camera.check();
   if (image.width < 0 || image.height < 0 || image.depth.size() != static_cast<std::size_t>(image.width) * image.height)
     throw std::invalid_argument("depth image: the array does not hold width * height values");
@@ -20,8 +19,6 @@ void check_sizes(const DepthImage& image, const Pinhole& camera) {
                               std::to_string(camera.height));
 }
 
-}  // namespace
-
 double DepthNoise::weight(double z) const {
   const double grown = per_depth_sq * z * z;
   return floor * floor / (floor * floor + grown * grown);
@@ -31,7 +28,7 @@ OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const D
                          const DepthNoise& noise) {
   require_positive("noise floor", noise.floor);
   require_not_negative("noise per_depth_sq", noise.per_depth_sq);
-  check_sizes(image, camera);
+  check_size(image, camera);
   OrganizedCloud result{{}, IndexImage(image.width, image.height)};
   Cloud& cloud = result.cloud;
   cloud.viewpoint = Vec3f::Zero();

@@ -19,6 +19,9 @@ struct DepthImage {
   float at(int u, int v) const { return depth[static_cast<std::size_t>(v) * width + u]; }
 };
 
+// Throws std::invalid_argument where the image's size is not the camera's or its array's length is not width * height.
+void check_size(const DepthImage& image, const Pinhole& camera);
+
 // Readings outside are taken as no reading, metres.
 struct DepthRange {
   double min = 0.0;
@@ -42,8 +45,8 @@ struct OrganizedCloud {
   IndexImage index;
 };
 
-// The positions of a depth image's readings in the camera frame, with their weights. Throws std::invalid_argument where
-// the image's size is not the camera's or the array's length is not width * height.
+// The positions of a depth image's readings in the camera frame, with their weights. Throws std::invalid_argument as
+// check_size() does.
 OrganizedCloud unproject(const DepthImage& image, const Pinhole& camera, const DepthRange& range = {},
                          const DepthNoise& noise = {});
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "augicp/core/types.h"
-
 namespace augicp {
 
 // A pinhole camera without distortion. Camera frame: x right, y down, z forward. Pixel (0, 0) is the centre of the
@@ -23,11 +16,5 @@ struct Pinhole {
   // Throws std::invalid_argument unless the focal lengths are from 0.001 to 1e6 and the centre is within 1e6 of zero.
   void check() const;
 };
-
-// The camera called name ("tum-fr1", ...), or nothing.
-std::optional<Pinhole> camera_by_name(std::string_view name);
-
-// Every name that camera_by_name knows.
-std::vector<std::string> camera_names();
 
 }  // namespace augicp

@@ -8,17 +8,6 @@
 namespace augicp {
 namespace {
 
-TEST(Pinhole, EveryNamedCameraIsUsable) {
-  EXPECT_GE(camera_names().size(), 4u);
-  for (const std::string& name : camera_names()) {
-    const auto camera = camera_by_name(name);
-    ASSERT_TRUE(camera) << name;
-    EXPECT_NO_THROW(camera->check()) << name;
-  }
-}
-
-TEST(Pinhole, UnknownNameGivesNothing) { EXPECT_FALSE(camera_by_name("tum-fr9")); }
-
 TEST(Pinhole, FocalLengthMustBePositive) {
   EXPECT_THROW((Pinhole{0.0, 525.0, 0.0, 0.0}.check()), std::invalid_argument);
   EXPECT_THROW((Pinhole{525.0, -1.0, 0.0, 0.0}.check()), std::invalid_argument);
