@@ -10,10 +10,10 @@
 namespace augicp {
 
 struct EvaluationOptions {
-  AssociationOptions association;
+  AssociationOptions association{};
   TruthReading truth = TruthReading::Nearest;
   Alignment alignment = Alignment::Rigid;
-  DeltaOptions delta;
+  DeltaOptions delta{};
 
   // Throws std::invalid_argument naming the first field out of its range.
   void check() const;
