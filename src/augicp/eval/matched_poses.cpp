@@ -39,6 +39,7 @@ struct Unit {
   const char* name;
   double a_second;
 };
+constexpr Unit kUnits[] = {{"milliseconds", 1e3}, {"microseconds", 1e6}, {"nanoseconds", 1e9}};
 
 // Says of which trajectory the stamps are not seconds: with another unit half of the shorter one would match, and five
 // times as many as do. A few milliseconds meet the truth's seconds by chance, at the zero of both.
@@ -47,7 +48,7 @@ std::optional<std::string> wrong_unit(const Trajectory& estimate, const Trajecto
   const std::size_t shorter = std::min(estimate.size(), truth.size());
   const std::size_t enough = std::max({std::size_t{2}, (shorter + 1) / 2, 5 * num_matched});
   if (enough > shorter) return std::nullopt;
-  for (const Unit& unit : {Unit{"milliseconds", 1e3}, Unit{"microseconds", 1e6}, Unit{"nanoseconds", 1e9}}) {
+  for (const Unit& unit : kUnits) {
     const auto sentence = [&](const char* whose) {
       return std::string("the stamps of the ") + whose + " are " + unit.name + ", it seems, not seconds";
     };
@@ -57,6 +58,18 @@ std::optional<std::string> wrong_unit(const Trajectory& estimate, const Trajecto
       return sentence("truth");
   }
   return std::nullopt;
+}
+
+// What to look at where nothing matches in any unit: the clocks differ, and perhaps the units too.
+std::string advice(const Trajectory& estimate, const Trajectory& truth) {
+  const auto duration = [](const Trajectory& t) { return t.empty() ? 0.0 : t.back().stamp_s - t.front().stamp_s; };
+  const double ratio = duration(estimate) / duration(truth);
+  const auto is_about = [](double a, double b) { return a > 0.5 * b && a < 2.0 * b; };
+  for (const Unit& unit : kUnits) {
+    if (is_about(ratio, unit.a_second)) return std::string("are the estimate's in ") + unit.name + "?";
+    if (is_about(1.0 / ratio, unit.a_second)) return std::string("are the truth's in ") + unit.name + "?";
+  }
+  return "are both in seconds and of one clock, or is there a time offset?";
 }
 
 std::string span_text(const Trajectory& trajectory) {
@@ -69,7 +82,7 @@ std::string mismatch_text(const Trajectory& estimate, const Trajectory& truth, c
                           std::size_t num_matched, const std::optional<std::string>& unit) {
   return (num_matched == 0 ? "no" : "only " + std::to_string(num_matched)) + " common timestamps within " +
          std::to_string(options.max_difference_s) + " s: the estimate " + span_text(estimate) + ", the truth " +
-         span_text(truth) + "; " + unit.value_or("are both in seconds and of one clock, or is there a time offset?");
+         span_text(truth) + "; " + unit.value_or(advice(estimate, truth));
 }
 
 }  // namespace

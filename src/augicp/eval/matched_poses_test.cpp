@@ -87,6 +87,11 @@ TEST(MatchedPoses, MillisecondsInsteadOfSecondsAreSeen) {
     // Also where both begin at 0, which makes the first poses match by chance.
     const std::string of_both = refusal(with_stamps(estimate, kStart_s, factor), with_stamps(truth, kStart_s, 1.0));
     EXPECT_THAT(of_both, AllOf(HasSubstr("only "), HasSubstr(of_estimate)));
+    // And where the clocks differ too, so that only how long they last tells.
+    EXPECT_THAT(refusal(with_stamps(estimate, kStart_s, factor), truth),
+                HasSubstr(std::string("are the estimate's in ") + name));
+    EXPECT_THAT(refusal(estimate, with_stamps(truth, kStart_s, factor)),
+                HasSubstr(std::string("are the truth's in ") + name));
   }
 }
 
