@@ -50,22 +50,37 @@ int run_evaluate(const EvaluateArguments& arguments) {
 
 void add_matching_options(CLI::App& command, EvaluationOptions& options) {
   const std::string group = "Matching";
-  command.add_option("--max-difference", options.association.max_difference_s, "Stamps farther apart are not one moment, seconds")
-      ->capture_default_str()->group(group);
+  command
+      .add_option("--max-difference", options.association.max_difference_s,
+                  "Stamps farther apart are not one moment, seconds")
+      ->capture_default_str()
+      ->group(group);
   command.add_option("--time-offset", options.association.time_offset_s, "Added to the estimate's stamps, seconds")
-      ->capture_default_str()->group(group);
-  command.add_option("--truth", options.truth, "The true pose: nearest in time, or interpolated at the estimate's stamp (default nearest)")
-      ->transform(CLI::CheckedTransformer(kTruthReadings).description("{nearest,interpolated}"))->group(group);
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--truth", options.truth,
+                  "The true pose: nearest in time, or interpolated at the estimate's stamp (default nearest)")
+      ->transform(CLI::CheckedTransformer(kTruthReadings).description("{nearest,interpolated}"))
+      ->group(group);
 }
 
 void add_error_options(CLI::App& command, EvaluationOptions& options) {
   const std::string group = "Errors";
-  command.add_option("--align", options.alignment, "How the estimate is laid on the truth for the second ATE (default rigid)")
-      ->transform(CLI::CheckedTransformer(kAlignments).description("{none,origin,rigid,similarity}"))->group(group);
-  command.add_option("--delta", options.delta.delta, "RPE compares poses so far apart")->capture_default_str()->group(group);
+  command
+      .add_option("--align", options.alignment,
+                  "How the estimate is laid on the truth for the second ATE (default rigid)")
+      ->transform(CLI::CheckedTransformer(kAlignments).description("{none,origin,rigid,similarity}"))
+      ->group(group);
+  command.add_option("--delta", options.delta.delta, "RPE compares poses so far apart")
+      ->capture_default_str()
+      ->group(group);
   command.add_option("--unit", options.delta.unit, "What --delta counts (default frames: matched poses)")
-      ->transform(CLI::CheckedTransformer(kDeltaUnits).description("{frames,seconds,metres}"))->group(group);
-  command.add_flag("--consecutive", options.delta.consecutive, "RPE pairs follow one another (default: one from every pose)")
+      ->transform(CLI::CheckedTransformer(kDeltaUnits).description("{frames,seconds,metres}"))
+      ->group(group);
+  command
+      .add_flag("--consecutive", options.delta.consecutive,
+                "RPE pairs follow one another (default: one from every pose)")
       ->group(group);
 }
 
@@ -74,11 +89,14 @@ void add_error_options(CLI::App& command, EvaluationOptions& options) {
 void add_evaluate_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command = app.add_subcommand("evaluate", "Compare a trajectory with the true one: ATE and RPE");
-  command->add_option("estimate,--estimate", arguments->estimate, "A trajectory: timestamp tx ty tz qx qy qz qw a line")->required();
-  command->add_option("groundtruth,--groundtruth", arguments->truth, "The true trajectory, in the same form")->required();
+  command->add_option("estimate,--estimate", arguments->estimate, "A trajectory: timestamp tx ty tz qx qy qz qw a line")
+      ->required();
+  command->add_option("groundtruth,--groundtruth", arguments->truth, "The true trajectory, in the same form")
+      ->required();
   add_matching_options(*command, arguments->options);
   add_error_options(*command, arguments->options);
-  command->add_option("--json", arguments->json, "Write all results as JSON to a file, or to stdout with -")->group("Output");
+  command->add_option("--json", arguments->json, "Write all results as JSON to a file, or to stdout with -")
+      ->group("Output");
   command->add_flag("--quiet", arguments->quiet, "Print nothing but errors")->group("Output");
   command->footer(
       "Poses are T_world_camera, stamps in seconds. ATE is told twice, with the worlds as they are and aligned.\n"

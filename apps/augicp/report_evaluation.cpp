@@ -21,9 +21,9 @@ Statistics in_degrees(Statistics statistics) {
 }
 
 nlohmann::ordered_json statistics_json(const Statistics& statistics) {
-  return {{"rmse", statistics.rmse},     {"mean", statistics.mean}, {"median", statistics.median},
-          {"std", statistics.std},       {"min", statistics.min},   {"max", statistics.max},
-          {"sse", statistics.sse},       {"count", statistics.count}};
+  return {{"rmse", statistics.rmse}, {"mean", statistics.mean},  {"median", statistics.median},
+          {"std", statistics.std},   {"min", statistics.min},    {"max", statistics.max},
+          {"sse", statistics.sse},   {"count", statistics.count}};
 }
 
 nlohmann::ordered_json pose_statistics_json(const std::optional<PoseStatistics>& errors) {
@@ -40,18 +40,16 @@ nlohmann::ordered_json alignment_json(const Evaluation& evaluation) {
 }
 
 nlohmann::ordered_json options_json(const EvaluationOptions& options) {
-  return {{"align", word_for(kAlignments, options.alignment)},
-          {"delta", options.delta.delta},
-          {"unit", word_for(kDeltaUnits, options.delta.unit)},
-          {"consecutive", options.delta.consecutive},
-          {"max_difference_s", options.association.max_difference_s},
-          {"time_offset_s", options.association.time_offset_s},
-          {"truth", word_for(kTruthReadings, options.truth)}};
+  return {
+      {"align", word_for(kAlignments, options.alignment)},        {"delta", options.delta.delta},
+      {"unit", word_for(kDeltaUnits, options.delta.unit)},        {"consecutive", options.delta.consecutive},
+      {"max_difference_s", options.association.max_difference_s}, {"time_offset_s", options.association.time_offset_s},
+      {"truth", word_for(kTruthReadings, options.truth)}};
 }
 
 std::string row(const std::string& name, const Statistics& s) {
-  return fmt::format("{:<24} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f}\n", name, s.rmse, s.mean, s.median,
-                     s.std, s.min, s.max);
+  return fmt::format("{:<24} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f}\n", name, s.rmse, s.mean,
+                     s.median, s.std, s.min, s.max);
 }
 
 std::string rows(const std::string& name, const PoseStatistics& errors) {
@@ -62,7 +60,8 @@ std::string alignment_text(const Evaluation& evaluation) {
   const double scale = evaluation.alignment.target_from_source.scale;
   std::string text = word_for(kAlignments, evaluation.options.alignment);
   if (evaluation.options.alignment == Alignment::Similarity) text += fmt::format(", scale {:.6g}", scale);
-  if (!evaluation.alignment.unique) text += " (not unique: fewer than three positions, or on a line; rotation errors after it say little)";
+  if (!evaluation.alignment.unique)
+    text += " (not unique: fewer than three positions, or on a line; rotation errors after it say little)";
   return text;
 }
 
@@ -84,7 +83,8 @@ std::string evaluation_text(const Evaluation& evaluation) {
       evaluation.first_stamp_s, evaluation.last_stamp_s, evaluation.last_stamp_s - evaluation.first_stamp_s,
       alignment_text(evaluation));
   text += relative_text(evaluation);
-  text += fmt::format("\n{:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "rmse", "mean", "median", "std", "min", "max");
+  text +=
+      fmt::format("\n{:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "rmse", "mean", "median", "std", "min", "max");
   text += rows("ATE not aligned", evaluation.absolute);
   if (evaluation.aligned) text += rows("ATE aligned", *evaluation.aligned);
   if (evaluation.relative) text += rows("RPE", *evaluation.relative);
