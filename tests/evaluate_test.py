@@ -220,7 +220,7 @@ class EvaluateTest(unittest.TestCase):
             finished = run(*words)
             self.assertEqual(finished.returncode, code, f"{words}: {finished.stdout}{finished.stderr}")
             self.assertIn(message, finished.stderr)
-        self.assertEqual(self.evaluate(zero, truth, "--time-offset", 100)["num_matched"], 2)
+        self.assertEqual(self.evaluate(zero, truth, "--time-offset", 100)["num_matched"], 3)
 
     # robustness 1
     def test_a_last_line_without_an_end_is_warned_of(self):

@@ -63,6 +63,11 @@ TEST(PosePairs, SecondsGoToTheNearestStampWithinATenth) {
   EXPECT_THAT(pairs(poses, shorter), ElementsAre(Pair(0, 1), Pair(1, 3), Pair(3, 4)));
 }
 
+TEST(PosePairs, OfTwoEquallyNearTheEarlierIsTaken) {
+  const auto poses = poses_at({0.0, 0.9375, 1.0625}, {0, 0, 0});
+  EXPECT_THAT(pairs(poses, {.delta = 1.0, .unit = DeltaUnit::Seconds}), ElementsAre(Pair(0, 1)));
+}
+
 TEST(PosePairs, SecondsOneAfterTheOtherAreAtLeastDelta) {
   const auto poses = poses_at({0.0, 0.9, 1.1, 2.0, 2.2, 5.0}, {0, 0, 0, 0, 0, 0});
   EXPECT_THAT(pairs(poses, {.delta = 1.0, .unit = DeltaUnit::Seconds, .consecutive = true}),
