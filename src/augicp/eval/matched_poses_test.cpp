@@ -99,6 +99,14 @@ TEST(MatchedPoses, MillisecondsInsteadOfSecondsAreSeen) {
   }
 }
 
+// Ten frames far apart, half of them within the truth: in milliseconds all ten would meet the dense truth by chance.
+TEST(MatchedPoses, HalfTheEstimateOutsideADenseTruthIsNoWrongUnit) {
+  Trajectory truth, estimate;
+  for (int i = 0; i < 40000; ++i) truth.push_back({1e-3 * i, {}});
+  for (int i = 0; i < 10; ++i) estimate.push_back({10.0 * i, {}});
+  EXPECT_EQ(match_poses(estimate, truth).size(), 5u);
+}
+
 TEST(MatchedPoses, StampsMustIncrease) {
   const Trajectory unordered = {{1.0, {}}, {0.5, {}}};
   EXPECT_THAT(refusal(unordered, wandering()), HasSubstr("stamps that increase"));
