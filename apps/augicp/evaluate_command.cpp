@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "apps/augicp/commands.h"
 #include "apps/augicp/names.h"
 #include "apps/augicp/report_evaluation.h"
 #include "apps/augicp/report_result.h"
+#include "augicp/core/error.h"
 #include "augicp/io/trajectory_file.h"
 
 namespace augicp::app {

@@ -22,8 +22,8 @@ struct StampPair {
 };
 
 // Pairs by stamp, one to one, ordered by the estimate's index. Of all pairs whose stamps differ by at most
-// max_difference_s the closest is taken first, then the closest of what is left (of equally close ones that with the
-// smaller index): the definition of the TUM benchmark's associate.py, which however leaves out a difference of exactly
+// max_difference_s the closest is taken first, then the closest of what is left (of equally close ones the
+// earlier): the definition of the TUM benchmark's associate.py, which however leaves out a difference of exactly
 // the maximum. Takes O(n log n).
 //
 // evo takes for each pose of the shorter trajectory the nearest of the longer one. The two agree unless one pose is the

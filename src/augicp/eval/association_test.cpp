@@ -54,8 +54,8 @@ Indices slow_pairs(const std::vector<double>& estimate, const std::vector<double
 }
 
 std::vector<double> random_stamps(std::mt19937& generator, int count, double duration_s) {
-  std::vector<double> stamps_s;
-  for (int i = 0; i < count; ++i) stamps_s.push_back(testing::uniform(generator, 0.0, duration_s));
+  std::vector<double> stamps_s(static_cast<std::size_t>(count));
+  for (double& stamp_s : stamps_s) stamp_s = testing::uniform(generator, 0.0, duration_s);
   std::sort(stamps_s.begin(), stamps_s.end());
   stamps_s.erase(std::unique(stamps_s.begin(), stamps_s.end()), stamps_s.end());
   return stamps_s;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -30,8 +31,8 @@ std::vector<MatchedPose> poses_at(const std::vector<double>& stamps_s, const std
 }
 
 std::vector<MatchedPose> frames(int count) {
-  std::vector<double> numbers;
-  for (int i = 0; i < count; ++i) numbers.push_back(i);
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0.0);
   return poses_at(numbers, numbers);
 }
 

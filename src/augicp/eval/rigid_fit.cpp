@@ -45,8 +45,8 @@ struct Turn {
 // Eqs. (39), (40) and (43).
 Turn turn_of(const Mat3d& covariance) {
   const Eigen::JacobiSVD<Mat3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Mat3d u = svd.matrixU(), v = svd.matrixV();
-  const Vec3d d = svd.singularValues();
+  const Mat3d &u = svd.matrixU(), &v = svd.matrixV();
+  const Vec3d& d = svd.singularValues();
   if (d(0) == 0.0) return {Eigen::Quaterniond::Identity(), 0.0, false};
   // The second value falls with the square of the distance from the line.
   constexpr double kFlat = 1e-12;

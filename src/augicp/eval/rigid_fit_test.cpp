@@ -16,7 +16,6 @@ namespace augicp {
 namespace {
 
 using testing::NearPose;
-using testing::NearVector;
 using Points = std::vector<Vec3d>;
 
 Points random_points(std::mt19937& generator, int count = 30) {
