@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
              "            5 result found but degenerate or doubtful, 130 interrupted.");
   int exit_code = kSuccess;
   add_align_command(app, exit_code);
+  add_evaluate_command(app, exit_code);
   add_info_command(app, exit_code);
   add_surface_command(app, exit_code);
   try {

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "augicp/eval/evaluate.h"
 #include "augicp/registration/options.h"
 
 namespace augicp::app {
@@ -14,6 +15,14 @@ inline const std::map<std::string, Method> kMethods{
 inline const std::map<std::string, Preset> kPresets{{"default", Preset::Default}, {"paper", Preset::Paper}};
 inline const std::map<std::string, Association> kAssociations{
     {"auto", Association::Auto}, {"projective", Association::Projective}, {"nearest", Association::Nearest}};
+inline const std::map<std::string, Alignment> kAlignments{{"none", Alignment::None},
+                                                          {"origin", Alignment::Origin},
+                                                          {"rigid", Alignment::Rigid},
+                                                          {"similarity", Alignment::Similarity}};
+inline const std::map<std::string, DeltaUnit> kDeltaUnits{
+    {"frames", DeltaUnit::Frames}, {"seconds", DeltaUnit::Seconds}, {"metres", DeltaUnit::Metres}};
+inline const std::map<std::string, TruthReading> kTruthReadings{{"nearest", TruthReading::Nearest},
+                                                                {"interpolated", TruthReading::Interpolated}};
 
 template <typename Value>
 std::string word_for(const std::map<std::string, Value>& words, Value value) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/transform_file.h"
 
-#include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "augicp/io/format.h"
 #include "augicp/io/json_numbers.h"
 #include "augicp/io/number_list.h"
+#include "augicp/io/pose_numbers.h"
 
 namespace augicp {
 namespace {
@@ -21,17 +22,6 @@ Rigid3 from_rows(const std::vector<double>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     matrix(static_cast<int>(i / 4), static_cast<int>(i % 4)) = numbers[i];
   return rigid3_from_matrix(matrix);
-}
-
-Rigid3 from_quaternion(const std::vector<double>& numbers) {
-  const Eigen::Quaterniond rotation(numbers[6], numbers[3], numbers[4], numbers[5]);  // the file has w last
-  const Vec3d translation(numbers[0], numbers[1], numbers[2]);
-  if (!translation.allFinite()) throw std::invalid_argument("transform: its translation is not finite");
-  constexpr double kTolerance = 1e-3;  // files carry as few as four digits
-  if (!(std::abs(rotation.norm() - 1.0) <= kTolerance))
-    throw std::invalid_argument(
-        fmt::format("transform: expected a quaternion qx qy qz qw of length 1, found length {}", rotation.norm()));
-  return {rotation.normalized(), translation};
 }
 
 Rigid3 from_json(std::string_view text) {
@@ -48,7 +38,7 @@ Rigid3 from_json(std::string_view text) {
 Rigid3 parse_transform(std::string_view text) {
   if (starts_like_json(text)) return from_json(text);
   const std::vector<double> numbers = parse_number_list("transform", text, /*max_count=*/16);
-  if (numbers.size() == 7) return from_quaternion(numbers);
+  if (numbers.size() == 7) return pose_of_numbers("transform", std::span<const double>(numbers).first<7>());
   if (numbers.size() == 12 || numbers.size() == 16) return from_rows(numbers);
   throw std::invalid_argument(fmt::format(
       "transform: expected 16 or 12 numbers of a matrix, or tx ty tz qx qy qz qw, found {} numbers", numbers.size()));
