@@ -140,6 +140,24 @@ TEST(TrajectoryFile, ACutWithinALineIsSeen) {
   }
 }
 
+// robustness 1, 8
+TEST(TrajectoryFile, DamagedFilesAreRefusedOrKeepThePromises) {
+  std::mt19937 generator(9);
+  for (int mutant = 0; mutant < 20000; ++mutant) {
+    std::string text = kText;
+    for (unsigned i = 0; i <= generator() % 3; ++i)
+      text[generator() % text.size()] = "0123456789.-e \t,#\n\rn"[generator() % 20];
+    if (!refusal(text).empty()) continue;
+    const Trajectory trajectory = parse(text);
+    EXPECT_FALSE(trajectory.empty());
+    EXPECT_NO_THROW(check_order(trajectory)) << text;
+    for (const StampedPose& pose : trajectory) {
+      EXPECT_NEAR(pose.world_from_camera.rotation.norm(), 1.0, 1e-14) << text;
+      EXPECT_TRUE(pose.world_from_camera.translation.allFinite()) << text;
+    }
+  }
+}
+
 // robustness 9
 TEST(TrajectoryFile, FileErrorsNameThePath) {
   const testing::TemporaryFolder folder;
