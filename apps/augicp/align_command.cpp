@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include <chrono>
 #include <memory>
 #include <numbers>
 #include <system_error>
@@ -9,6 +8,7 @@
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
+#include "apps/augicp/progress.h"
 #include "apps/augicp/report_result.h"
 #include "augicp/io/transform_file.h"
 #include "augicp/io/write_cloud.h"
@@ -22,17 +22,6 @@ struct AlignArguments {
   RegistrationOptions registration;
   double max_angle_deg = RegistrationOptions{}.max_angle * 180.0 / std::numbers::pi;
   bool trace = false, quiet = false;
-};
-
-// Milliseconds since it was made.
-class Stopwatch {
- public:
-  double elapsed_ms() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 Rigid3 initial_pose(const std::string& argument) {

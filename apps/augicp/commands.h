@@ -18,6 +18,7 @@ enum ExitCode {
 void add_align_command(CLI::App& app, int& exit_code);
 void add_evaluate_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
+void add_odometry_command(CLI::App& app, int& exit_code);
 void add_surface_command(CLI::App& app, int& exit_code);
 
 }  // namespace augicp::app

@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   add_align_command(app, exit_code);
   add_evaluate_command(app, exit_code);
   add_info_command(app, exit_code);
+  add_odometry_command(app, exit_code);
   add_surface_command(app, exit_code);
   try {
     app.parse(argc, argv);

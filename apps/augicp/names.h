@@ -5,7 +5,9 @@
 #include <map>
 #include <string>
 
+#include "apps/augicp/progress.h"
 #include "augicp/eval/evaluate.h"
+#include "augicp/odometry/odometry.h"
 #include "augicp/registration/options.h"
 
 namespace augicp::app {
@@ -23,6 +25,10 @@ inline const std::map<std::string, DeltaUnit> kDeltaUnits{
     {"frames", DeltaUnit::Frames}, {"seconds", DeltaUnit::Seconds}, {"metres", DeltaUnit::Metres}};
 inline const std::map<std::string, TruthReading> kTruthReadings{{"nearest", TruthReading::Nearest},
                                                                 {"interpolated", TruthReading::Interpolated}};
+
+inline const std::map<std::string, Reference> kReferences{{"model", Reference::Model},
+                                                         {"previous", Reference::PreviousFrame}};
+inline const std::map<std::string, Progress> kProgress{{"auto", Progress::Auto}, {"none", Progress::None}};
 
 template <typename Value>
 std::string word_for(const std::map<std::string, Value>& words, Value value) {

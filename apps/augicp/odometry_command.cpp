@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "apps/augicp/commands.h"
+#include "apps/augicp/names.h"
+#include "apps/augicp/progress.h"
+#include "apps/augicp/report_odometry.h"
+#include "apps/augicp/report_result.h"
+#include "augicp/io/atomic_file.h"
+#include "augicp/io/camera_file.h"
+#include "augicp/io/depth_sequence.h"
+#include "augicp/io/trajectory_file.h"
+#include "augicp/odometry/track.h"
+
+namespace augicp::app {
+namespace {
+
+struct OdometryArguments {
+  std::string sequence, output, camera, json;
+  std::optional<double> depth_scale, readout_s;
+  double frames_per_s = 30.0, time_offset_s = 0.0;
+  std::size_t first = 0, last = std::size_t{1} << 40, every = 1;
+  OdometryOptions odometry;
+  Progress progress = Progress::Auto;
+  bool quiet = false;
+};
+
+namespace fs = std::filesystem;
+
+fs::path output_folder(const OdometryArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  const fs::path sequence = fs::path(arguments.sequence).lexically_normal();
+  const fs::path name = sequence.has_filename() ? sequence.filename() : sequence.parent_path().filename();
+  return (name.empty() || name == "." || name == ".." ? "sequence" : name.string()) + "_odometry";
+}
+
+DepthCamera camera_for(const DepthSequence& sequence, const OdometryArguments& arguments) {
+  if (arguments.camera.empty() && !sequence.camera)
+    throw std::invalid_argument(fmt::format("{}: which camera? Give --camera: a file, numbers \"fx fy cx cy\" or one of {}",
+                                            arguments.sequence, fmt::join(camera_names(), " ")));
+  DepthCamera camera = arguments.camera.empty() ? *sequence.camera : read_camera(arguments.camera);
+  camera.readout_s = arguments.readout_s.value_or(camera.readout_s);
+  camera.check();
+  return camera;
+}
+
+// The frames asked for, each with its number in the sequence.
+std::vector<FrameRow> chosen_frames(const DepthSequence& sequence, const OdometryArguments& arguments) {
+  std::vector<FrameRow> rows;
+  for (std::size_t i = arguments.first; i < std::min(arguments.last, sequence.frames.size()); i += arguments.every)
+    rows.push_back({i, sequence.frames[i].path, {}, 0.0});
+  if (rows.empty())
+    throw std::invalid_argument(fmt::format("--first {} --last {}: no frame of the sequence's {} is chosen", arguments.first,
+                                            arguments.last, sequence.frames.size()));
+  return rows;
+}
+
+void compare_with_truth(const Trajectory& truth, const OdometryArguments& arguments, OdometryRun& run) {
+  EvaluationOptions options;
+  options.association.time_offset_s = arguments.time_offset_s;
+  try {
+    run.evaluation = evaluate(trajectory_of(run), truth, options);
+  } catch (const std::invalid_argument& error) {
+    run.evaluation_problem = error.what();
+  }
+}
+
+OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& camera, const OdometryArguments& arguments) {
+  OdometryRun run{arguments.sequence, sequence.layout, chosen_frames(sequence, arguments), 0.0, {}, {}};
+  std::vector<DepthFrameFile> files;
+  for (const FrameRow& row : run.rows) files.push_back(sequence.frames[row.frame]);
+  DepthSequenceReader reader(std::move(files), arguments.depth_scale.value_or(sequence.depth_scale));
+  ProgressBar bar(run.rows.size(), "frames", arguments.quiet ? Progress::None : arguments.progress);
+  const Stopwatch all;
+  std::size_t num_done = 0;
+  track(reader, camera, arguments.odometry, [&](const FrameReport& report) {
+    FrameRow& row = run.rows[num_done++];
+    row.report = report;
+    row.time_ms = all.elapsed_ms() - run.total_ms;
+    run.total_ms = all.elapsed_ms();
+    bar.advance();
+  });
+  if (sequence.truth) compare_with_truth(*sequence.truth, arguments, run);
+  return run;
+}
+
+ExitCode exit_code_for(const OdometryRun& run) {
+  const Trajectory trajectory = trajectory_of(run);
+  if (trajectory.empty() || (trajectory.size() == 1 && run.rows.size() > 1)) return kRegistrationFailed;
+  return run.rows.back().report.segment > 0 ? kDoubtful : kSuccess;
+}
+
+// Every image refused: then the reason is not the images.
+void require_readable_frames(const OdometryRun& run) {
+  const auto is_unreadable = [](const FrameRow& row) { return row.report.status == FrameStatus::Unreadable; };
+  if (std::all_of(run.rows.begin(), run.rows.end(), is_unreadable))
+    throw IoError("no image can be used; the first: " + run.rows.front().report.problem);
+}
+
+int run_odometry(const OdometryArguments& arguments, const std::string& config) {
+  arguments.odometry.check();
+  const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s);
+  const DepthCamera camera = camera_for(sequence, arguments);
+  const fs::path folder = output_folder(arguments);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
+  write_file(folder / "config.toml", config);  // first, so that a folder that cannot be written to costs no run
+
+  const OdometryRun run = track_sequence(sequence, camera, arguments);
+  require_readable_frames(run);
+  write_tum_trajectory(folder / "trajectory.txt", trajectory_of(run));
+  write_file(folder / "frames.csv", frames_csv(run));
+  write_json((folder / "metrics.json").string(), metrics_json(run));
+  if (arguments.json == "-") write_json("-", metrics_json(run));
+  if (!arguments.quiet && arguments.json != "-")
+    fmt::print("{}output     {}: trajectory.txt metrics.json frames.csv config.toml\n", summary_text(run), folder.string());
+  return exit_code_for(run);
+}
+
+void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
+  const std::string group = "Input";
+  command.add_option("--camera", arguments.camera,
+                     fmt::format("A file, numbers \"fx fy cx cy [k1 k2 p1 p2 k3]\", or one of {} (default: the folder's)",
+                                 fmt::join(camera_names(), " ")))->group(group);
+  command.add_option("--depth-scale", arguments.depth_scale, "Pixel value of one metre (default: TUM 5000, others 1000)")
+      ->group(group);
+  command.add_option("--readout", arguments.readout_s,
+                     "Rolling shutter: seconds from the first row to the last (default: the camera's; 0: none)")->group(group);
+  command.add_option("--max-depth", arguments.odometry.range.max, "Farther readings are not used, metres (default: none)")
+      ->group(group);
+  command.add_option("--rate", arguments.frames_per_s, "Frames a second where the folder has no time stamps")
+      ->capture_default_str()->group(group);
+  command.add_option("--first", arguments.first, "Number of the first frame, from 0")->capture_default_str()->group(group);
+  command.add_option("--last", arguments.last, "Number of the frame to stop before (default: all)")->group(group);
+  command.add_option("--every", arguments.every, "Use every so many frames")->check(CLI::PositiveNumber)
+      ->capture_default_str()->group(group);
+}
+
+void add_method_options(CLI::App& command, OdometryOptions& options) {
+  const std::string group = "Method";
+  command.add_option("--reference", options.reference, "What a frame is registered to (default model)")
+      ->transform(CLI::CheckedTransformer(kReferences).description("{model,previous}"))->group(group);
+  command.add_option("--method", options.registration.method, "What is minimised (default augmented)")
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
+  command.add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows")
+      ->capture_default_str()->group(group);
+  command.add_option("--max-iterations", options.registration.max_iterations)->capture_default_str()->group(group);
+  command.add_option("--threads", options.registration.num_threads, "0: all; the result is the same for any number")
+      ->capture_default_str()->group(group);
+}
+
+void add_output_options(CLI::App& command, OdometryArguments& arguments) {
+  const std::string group = "Output";
+  command.add_option("--output", arguments.output, "Folder for the results, made if missing (default: NAME_odometry)")
+      ->group(group);
+  command.add_option("--time-offset", arguments.time_offset_s, "Truth is read at stamp + offset, seconds")
+      ->capture_default_str()->group(group);
+  command.add_option("--json", arguments.json, "With -: print metrics.json to stdout")
+      ->check(CLI::IsMember({"-"}))->group(group);
+  command.add_option("--progress", arguments.progress, "A bar on the terminal: auto or none (default auto)")
+      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))->group(group);
+  command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
+}
+
+}  // namespace
+
+void add_odometry_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<OdometryArguments>();
+  CLI::App* command = app.add_subcommand("odometry", "Track a depth camera through a folder of images");
+  command->add_option("sequence,--sequence", arguments->sequence,
+                      "A folder: TUM (depth.txt), 7-Scenes (frame-000000.depth.png), or numbered .png images")->required();
+  add_sequence_options(*command, *arguments);
+  add_method_options(*command, arguments->odometry);
+  add_output_options(*command, *arguments);
+  command->footer(
+      "trajectory.txt has T_world_camera in TUM format; the world is the first camera.\n"
+      "Examples:\n"
+      "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk\n"
+      "  augicp odometry chess/seq-01 --last 500\n"
+      "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
+  command->callback([arguments, command, &exit_code] {
+    exit_code = run_odometry(*arguments, "[odometry]\n" + command->config_to_str(/*default_also=*/true));
+  });
+}
+
+}  // namespace augicp::app

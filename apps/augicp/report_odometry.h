@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What `augicp odometry` found, as files and as text.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "augicp/eval/evaluate.h"
+#include "augicp/odometry/odometry.h"
+
+namespace augicp::app {
+
+struct FrameRow {
+  std::size_t frame = 0;  // in the sequence, from 0
+  std::filesystem::path image;
+  FrameReport report;
+  double time_ms = 0.0;  // from the frame before to this one
+};
+
+struct OdometryRun {
+  std::string sequence, layout;
+  std::vector<FrameRow> rows;
+  double total_ms = 0.0;
+  std::optional<Evaluation> evaluation;
+  std::string evaluation_problem;  // why there is none, where a truth was given
+};
+
+// The frames that have a pose.
+Trajectory trajectory_of(const OdometryRun& run);
+
+std::string frames_csv(const OdometryRun& run);
+nlohmann::ordered_json metrics_json(const OdometryRun& run);
+std::string summary_text(const OdometryRun& run);
+
+}  // namespace augicp::app

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/depth_sequence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "augicp/core/check.h"
+#include "augicp/io/camera_file.h"
+#include "augicp/io/depth_png.h"
+#include "augicp/io/sequence_folders.h"
+#include "augicp/io/trajectory_file.h"
+#include "augicp/io/transform_file.h"
+
+namespace augicp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTumDepthScale = 5000.0;
+constexpr double kUsualDepthScale = 1000.0;
+constexpr const char* kSevenScenesEnding = ".depth.png";
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+std::optional<Trajectory> truth_in(const fs::path& folder) {
+  const fs::path path = folder / "groundtruth.txt";
+  if (!is_there(path)) return std::nullopt;
+  return read_tum_trajectory(path).trajectory;
+}
+
+std::optional<Rigid3> pose_in(const fs::path& file) {
+  try {
+    return read_transform(file);
+  } catch (const IoError&) {
+    return std::nullopt;
+  }
+}
+
+// Beside each image of 7-Scenes lies its pose as a matrix; its makers filled in "-1.#IND" where they lost the camera.
+std::optional<Trajectory> seven_scenes_truth(const std::vector<DepthFrameFile>& frames) {
+  Trajectory truth;
+  for (const DepthFrameFile& frame : frames) {
+    const std::string image = frame.path.string();
+    const fs::path pose = image.substr(0, image.size() - std::string_view(kSevenScenesEnding).size()) + ".pose.txt";
+    if (const auto world_from_camera = pose_in(pose)) truth.push_back({frame.stamp_s, *world_from_camera});
+  }
+  return truth.empty() ? std::nullopt : std::optional(truth);
+}
+
+std::optional<DepthCamera> camera_in(const fs::path& folder) {
+  for (const char* name : {"camera.json", "camera.txt", "camera-intrinsics.txt"})
+    if (is_there(folder / name)) return read_camera((folder / name).string());
+  return std::nullopt;
+}
+
+DepthSequence tum_sequence(const fs::path& folder) {
+  return {"TUM", parse_image_list(read_bytes(folder / "depth.txt")), kTumDepthScale, camera_in(folder), truth_in(folder)};
+}
+
+DepthSequence seven_scenes_sequence(const fs::path& folder, std::vector<DepthFrameFile> frames) {
+  DepthSequence sequence{"7-Scenes", std::move(frames), kUsualDepthScale, camera_by_name("7scenes"), {}};
+  // A file tells the pinhole; the shutter is the layout's.
+  if (const auto camera = camera_in(folder)) sequence.camera->pinhole = camera->pinhole;
+  sequence.truth = seven_scenes_truth(sequence.frames);
+  return sequence;
+}
+
+}  // namespace
+
+DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
+  require_positive("frames_per_s", frames_per_s);
+  if (!fs::is_directory(folder)) throw io_error(folder, "expected a folder of depth images");
+  DepthSequence sequence;
+  if (is_there(folder / "depth.txt")) {
+    sequence = tum_sequence(folder);
+  } else if (auto frames = numbered_files(folder, kSevenScenesEnding, frames_per_s); !frames.empty()) {
+    sequence = seven_scenes_sequence(folder, std::move(frames));
+  } else {
+    const fs::path images = fs::is_directory(folder / "depth") ? folder / "depth" : folder;
+    sequence = {"numbered", numbered_files(images, ".png", frames_per_s), kUsualDepthScale, camera_in(folder),
+                truth_in(folder)};
+  }
+  if (sequence.frames.empty())
+    throw io_error(folder, "expected depth.txt, frame-000000.depth.png ... or numbered .png files, found no image");
+  return sequence;
+}
+
+DepthSequenceReader::DepthSequenceReader(std::vector<DepthFrameFile> frames, double depth_scale)
+    : frames_(std::move(frames)), depth_scale_(depth_scale) {
+  require_positive("depth_scale", depth_scale);
+}
+
+std::optional<DepthFrame> DepthSequenceReader::next() {
+  if (next_ == frames_.size()) return std::nullopt;
+  const DepthFrameFile& file = frames_[next_++];
+  DepthFrame frame{file.stamp_s, {}, {}};
+  try {
+    frame.image = read_depth_png(file.path, depth_scale_);
+  } catch (const IoError& error) {
+    frame.problem = error.what();
+    return frame;
+  }
+  const auto is_reading = [](float depth) { return !std::isnan(depth); };
+  if (!scale_is_checked_ && std::any_of(frame.image.depth.begin(), frame.image.depth.end(), is_reading)) {
+    check_depth_scale(frame.image, file.path, depth_scale_);
+    scale_is_checked_ = true;
+  }
+  return frame;
+}
+
+}  // namespace augicp

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/odometry/odometry.h"
+
+#include <array>
+#include <cmath>
+
+#include "augicp/core/check.h"
+#include "augicp/odometry/rolling_shutter.h"
+
+namespace augicp {
+namespace {
+
+// Fewer say nothing about six numbers in the noise of an image.
+constexpr std::size_t kMinReadings = 500;
+
+// A camera that is followed is where it is expected to within a few centimetres, so that the gates of a first guess only
+// let wrong pairs in: a quarter of the distance, and half of the angle.
+constexpr double kGatePerFirstGate = 0.25;
+constexpr double kMaxAngle = 0.5;
+
+// Steps below this part of the extent, some tenths of a millimetre, are far below what a frame's noise does to its pose.
+constexpr double kMinStep = 1e-4;
+constexpr int kMaxIterations = 30;
+
+// How the motion during a readout is found out: guessed from the last one, then taken from the registration.
+constexpr int kPasses = 2;
+
+MergeOptions merge_options(const Lengths& lengths) {
+  MergeOptions options;
+  options.max_distance = lengths.radius;
+  return options;
+}
+
+}  // namespace
+
+RegistrationOptions tracking_options() {
+  RegistrationOptions options;
+  options.max_angle = kMaxAngle;
+  options.min_step = kMinStep;
+  options.max_iterations = kMaxIterations;
+  return options;
+}
+
+void OdometryOptions::check() const {
+  registration.check();
+  require(pixel_step >= 1, "pixel_step", pixel_step, "must be at least 1");
+  require(min_overlap >= 0.0 && min_overlap <= 1.0, "min_overlap", min_overlap, "must be from 0 to 1");
+  require(keyframe_overlap >= 0.0 && keyframe_overlap <= 1.0, "keyframe_overlap", keyframe_overlap,
+          "must be from 0 to 1");
+  require(max_lost >= 1, "max_lost", max_lost, "must be at least 1");
+  require_not_negative("max_extrapolation_s", max_extrapolation_s);
+}
+
+std::string_view name_of(FrameStatus status) {
+  constexpr std::array<std::string_view, 7> kNames{"started",     "tracked",      "degenerate", "lost",
+                                                   "no_readings", "out_of_order", "unreadable"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+bool has_pose(FrameStatus status) {
+  return status == FrameStatus::Started || status == FrameStatus::Tracked || status == FrameStatus::Degenerate;
+}
+
+Scan prepare_frame(const DepthImage& image, const DepthCamera& camera, const OdometryOptions& options) {
+  Scan scan = scan_of(image, camera, options.pixel_step, options.range);
+  const Lengths lengths = lengths_for(scan, scan, options.registration);
+  return prepare(std::move(scan), lengths, options.registration);
+}
+
+Odometry::Odometry(const OdometryOptions& options, double readout_s) : options_(options), readout_s_(readout_s) {
+  options.check();
+  require_not_negative("readout_s", readout_s);
+}
+
+// Constant velocity, in the camera's frame.
+Rigid3 Odometry::predicted(double stamp_s) const {
+  const double ahead_s = stamp_s - last_->stamp_s;
+  if (!before_last_ || ahead_s > options_.max_extrapolation_s) return last_->world_from_camera;
+  const Rigid3 motion = inverse(before_last_->world_from_camera) * last_->world_from_camera;
+  return last_->world_from_camera * part_of(motion, ahead_s / (last_->stamp_s - before_last_->stamp_s));
+}
+
+// The frame without the skew of a camera that has come from the last pose to this one.
+Scan Odometry::straightened(const Scan& frame, double stamp_s, const Rigid3& world_from_camera) const {
+  const double passed_s = stamp_s - last_->stamp_s;
+  if (readout_s_ == 0.0 || passed_s > options_.max_extrapolation_s) return frame;
+  const Rigid3 motion = inverse(last_->world_from_camera) * world_from_camera;
+  return without_skew(frame, part_of(motion, readout_s_ / passed_s), options_.registration.num_threads);
+}
+
+// Fills in the report; gives the frame as it was registered.
+Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
+  Lengths lengths = lengths_for(frame, reference_->scan, options_.registration);
+  if (!options_.registration.max_distance) lengths.max_distance *= kGatePerFirstGate;
+  report.world_from_camera = predicted(report.stamp_s);
+  Scan straight;
+  for (int pass = 0; pass < (readout_s_ > 0.0 ? kPasses : 1); ++pass) {
+    straight = straightened(frame, report.stamp_s, report.world_from_camera);
+    const AlignResult result = register_prepared(straight, reference_->scan,
+                                                 inverse(world_from_reference_) * report.world_from_camera, lengths,
+                                                 options_.registration);
+    report.registration = result.status;
+    report.iterations += result.iterations;
+    report.num_pairs = result.num_pairs;
+    report.overlap = result.overlap;
+    report.rmse = result.rmse;
+    const bool found = result.status == AlignStatus::Converged || result.status == AlignStatus::IterationLimit;
+    report.status = result.status == AlignStatus::Degenerate ? FrameStatus::Degenerate
+                    : found                                  ? FrameStatus::Tracked
+                                                             : FrameStatus::Lost;
+    if (report.overlap < options_.min_overlap) report.status = FrameStatus::Lost;
+    if (report.status == FrameStatus::Lost) break;
+    report.world_from_camera = world_from_reference_ * result.target_from_source;
+  }
+  return straight;
+}
+
+void Odometry::update_reference(const Scan& frame, const FrameReport& report) {
+  const Rigid3 reference_from_frame = inverse(world_from_reference_) * report.world_from_camera;
+  const int num_threads = options_.registration.num_threads;
+  const MergeOptions merge_by = merge_options(lengths_for(frame, reference_->scan, options_.registration));
+  if (options_.reference == Reference::PreviousFrame) {
+    reference_ = model_of(frame);
+  } else if (report.is_keyframe) {
+    reference_ = carried_over(*reference_, frame, inverse(reference_from_frame), merge_by, num_threads);
+  } else {
+    merge(*reference_, frame, reference_from_frame, merge_by, num_threads);
+    return;
+  }
+  world_from_reference_ = report.world_from_camera;
+}
+
+void Odometry::start_segment(const Scan& frame, FrameReport& report) {
+  if (last_) {
+    report.world_from_camera = last_->world_from_camera;
+    ++segment_;
+  }
+  report.status = FrameStatus::Started;
+  report.is_keyframe = true;
+  reference_ = model_of(frame);
+  world_from_reference_ = report.world_from_camera;
+  before_last_.reset();
+  last_ = StampedPose{report.stamp_s, report.world_from_camera};
+}
+
+FrameReport Odometry::add(double stamp_s, const Scan& frame) {
+  FrameReport report;
+  report.stamp_s = stamp_s;
+  report.segment = segment_;
+  if (!std::isfinite(stamp_s) || (last_stamp_s_ && stamp_s <= *last_stamp_s_)) {
+    report.status = FrameStatus::OutOfOrder;
+    return report;
+  }
+  last_stamp_s_ = stamp_s;
+  if (!frame.view || !frame.cloud.has_directions() || frame.cloud.size() < kMinReadings) {
+    report.status = FrameStatus::NoReadings;
+    return report;
+  }
+  if (!reference_ || num_lost_ >= options_.max_lost) {
+    num_lost_ = 0;
+    start_segment(frame, report);
+    report.segment = segment_;
+    return report;
+  }
+  const Scan straight = register_frame(frame, report);
+  num_lost_ = report.status == FrameStatus::Lost ? num_lost_ + 1 : 0;
+  if (report.status == FrameStatus::Lost) return report;
+  report.is_keyframe = report.status == FrameStatus::Tracked && report.overlap < options_.keyframe_overlap;
+  if (report.status == FrameStatus::Tracked) update_reference(straight, report);
+  before_last_ = last_;
+  last_ = StampedPose{stamp_s, report.world_from_camera};
+  return report;
+}
+
+}  // namespace augicp

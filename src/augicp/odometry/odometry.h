@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// From depth images, one after the other, to where the camera was.
+//
+//   depth image --prepare_frame--> extended points --Odometry::add--> FrameReport (pose, status)
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "augicp/geometry/trajectory.h"
+#include "augicp/odometry/local_model.h"
+#include "augicp/registration/registration.h"
+
+namespace augicp {
+
+// What a frame is registered to.
+enum class Reference {
+  Model,          // what the frames since some keyframe saw, averaged (local_model.h): the least drift
+  PreviousFrame,  // the last tracked frame
+};
+
+// Options of registration for frames that follow one another closely: see odometry.cpp for the reasons.
+RegistrationOptions tracking_options();
+
+struct OdometryOptions {
+  RegistrationOptions registration = tracking_options();
+  Reference reference = Reference::Model;
+
+  // Every so many pixels of every so many rows are used. On fr1 2 loses nothing against 1, and 4 little.
+  int pixel_step = 2;
+
+  DepthRange range;
+
+  // A frame of which less finds a partner is lost; one of which less does becomes the next keyframe. Shares in [0, 1].
+  double min_overlap = 0.35;
+  double keyframe_overlap = 0.7;
+
+  // After so many lost frames on end, the next one starts a new segment of the trajectory.
+  int max_lost = 10;
+
+  // The camera is taken to go on as it moved for no longer than this, seconds; after a longer gap the last pose is the
+  // guess.
+  double max_extrapolation_s = 0.2;
+
+  // Throws std::invalid_argument naming the first field out of its range.
+  void check() const;
+};
+
+enum class FrameStatus {
+  Started,     // a segment begins here: its pose is the last one known, or the identity
+  Tracked,     // registered to the reference
+  Degenerate,  // registered, but some direction of motion is not held by what is seen: that part is the prediction
+  Lost,        // not registered: no pose
+  NoReadings,  // too few readings to register: no pose
+  OutOfOrder,  // not after the frame before: ignored, no pose
+  Unreadable,  // the image could not be read, see FrameReport::problem: no pose
+};
+std::string_view name_of(FrameStatus status);
+
+// Whether a frame of this status has a pose.
+bool has_pose(FrameStatus status);
+
+struct FrameReport {
+  double stamp_s = 0.0;
+  FrameStatus status = FrameStatus::Lost;
+  Rigid3 world_from_camera;  // the world is the first camera; at the middle of the image's readout
+  int segment = 0;           // poses of different segments have no measured motion between them
+  bool is_keyframe = false;
+
+  // Of the registration, if one was made.
+  AlignStatus registration = AlignStatus::TooFewPairs;
+  int iterations = 0;
+  std::int64_t num_pairs = 0;
+  double overlap = 0.0;
+  double rmse = 0.0;  // metres
+
+  std::string problem;  // in words, where the image could not be used
+};
+
+// The extended points of a frame. Throws std::invalid_argument where the image is not of the camera's size.
+Scan prepare_frame(const DepthImage& image, const DepthCamera& camera, const OdometryOptions& options);
+
+// Tracks one camera. Its memory does not grow with the number of frames. Not for concurrent use; independent objects may
+// be used concurrently.
+class Odometry {
+ public:
+  // Throws std::invalid_argument for options out of range. readout_s: see DepthCamera.
+  explicit Odometry(const OdometryOptions& options = {}, double readout_s = 0.0);
+
+  // The next frame, prepared. Never throws for what frames or stamps are like; a frame that cannot be placed gets a
+  // status and no pose, and the next one is tried again.
+  FrameReport add(double stamp_s, const Scan& frame);
+
+ private:
+  Rigid3 predicted(double stamp_s) const;
+  Scan straightened(const Scan& frame, double stamp_s, const Rigid3& world_from_camera) const;
+  Scan register_frame(const Scan& frame, FrameReport& report);
+  void update_reference(const Scan& frame, const FrameReport& report);
+  void start_segment(const Scan& frame, FrameReport& report);
+
+  OdometryOptions options_;
+  double readout_s_;
+  std::optional<LocalModel> reference_;
+  Rigid3 world_from_reference_;
+  std::optional<StampedPose> before_last_, last_;  // of this segment
+  std::optional<double> last_stamp_s_;             // of any frame
+  int num_lost_ = 0;
+  int segment_ = 0;
+};
+
+}  // namespace augicp

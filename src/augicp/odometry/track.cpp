@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/odometry/track.h"
+
+#include <algorithm>
+#include <future>
+#include <stdexcept>
+#include <thread>
+
+namespace augicp {
+namespace {
+
+struct PreparedFrame {
+  double stamp_s = 0.0;
+  Scan scan;
+  std::string problem;
+};
+
+std::optional<PreparedFrame> next_prepared(FrameSource& source, const DepthCamera& camera,
+                                           const OdometryOptions& options) {
+  const std::optional<DepthFrame> frame = source.next();
+  if (!frame) return std::nullopt;
+  PreparedFrame prepared{frame->stamp_s, {}, frame->problem};
+  if (!prepared.problem.empty()) return prepared;
+  try {
+    prepared.scan = prepare_frame(frame->image, camera, options);
+  } catch (const std::invalid_argument& error) {
+    prepared.problem = error.what();
+  }
+  return prepared;
+}
+
+FrameReport report_on(const PreparedFrame& frame, Odometry& odometry) {
+  if (frame.problem.empty()) return odometry.add(frame.stamp_s, frame.scan);
+  FrameReport unreadable;
+  unreadable.stamp_s = frame.stamp_s;
+  unreadable.status = FrameStatus::Unreadable;
+  unreadable.problem = frame.problem;
+  return unreadable;
+}
+
+}  // namespace
+
+void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
+           const std::function<void(const FrameReport&)>& on_frame) {
+  camera.check();
+  const int wanted = options.registration.num_threads;
+  const int num_threads = wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  // Preparing a frame costs about as much as registering it.
+  OdometryOptions preparing = options, registering = options;
+  preparing.registration.num_threads = std::max(1, num_threads / 2);
+  registering.registration.num_threads = std::max(1, num_threads - num_threads / 2);
+  const auto policy = num_threads > 1 ? std::launch::async : std::launch::deferred;
+  const auto prepare_next = [&] { return next_prepared(source, camera, preparing); };
+
+  Odometry odometry(registering, camera.readout_s);
+  for (std::optional<PreparedFrame> frame = prepare_next(); frame;) {
+    std::future<std::optional<PreparedFrame>> following = std::async(policy, prepare_next);
+    on_frame(report_on(*frame, odometry));
+    frame = following.get();
+  }
+}
+
+}  // namespace augicp

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A whole sequence: the next frame is read and prepared while the present one is registered.
+#pragma once
+
+#include <functional>
+
+#include "augicp/odometry/odometry.h"
+#include "augicp/sensor/frame_source.h"
+
+namespace augicp {
+
+// Calls on_frame, in the calling thread, with the report of every frame in order; the same for any number of threads.
+// An image of another size than the camera's makes its frame Unreadable.
+void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
+           const std::function<void(const FrameReport&)>& on_frame);
+
+}  // namespace augicp
