@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "apps/augicp/commands.h"
@@ -103,7 +104,18 @@ void require_readable_frames(const OdometryRun& run) {
     throw IoError("no image can be used; the first: " + run.rows.front().report.problem);
 }
 
-int run_odometry(const OdometryArguments& arguments, const std::string& config) {
+// Every option as it took effect, so that --config with this file repeats the run.
+std::string effective_config(CLI::App& command, const DepthSequence& sequence, const DepthCamera& camera) {
+  command.get_option("--depth-scale")->default_str(fmt::format("{}", sequence.depth_scale));
+  command.get_option("--readout")->default_str(fmt::format("{}", camera.readout_s));
+  std::istringstream lines(command.config_to_str(/*default_also=*/true));
+  std::string config = "[odometry]\n";
+  for (std::string line; std::getline(lines, line);)
+    if (!line.ends_with("=\"\"")) config += line + "\n";  // not given, and without a default
+  return config;
+}
+
+int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   arguments.odometry.check();
   const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s);
   const DepthCamera camera = camera_for(sequence, arguments);
@@ -111,7 +123,7 @@ int run_odometry(const OdometryArguments& arguments, const std::string& config) 
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
-  write_file(folder / "config.toml", config);  // first, so that a folder that cannot be written to costs no run
+  write_file(folder / "config.toml", effective_config(command, sequence, camera));  // first, so that a folder that cannot be written to costs no run
 
   const OdometryRun run = track_sequence(sequence, camera, arguments);
   require_readable_frames(run);
@@ -145,10 +157,10 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
 
 void add_method_options(CLI::App& command, OdometryOptions& options) {
   const std::string group = "Method";
-  command.add_option("--reference", options.reference, "What a frame is registered to (default model)")
-      ->transform(CLI::CheckedTransformer(kReferences).description("{model,previous}"))->group(group);
-  command.add_option("--method", options.registration.method, "What is minimised (default augmented)")
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
+  command.add_option("--reference", options.reference, "What a frame is registered to")
+      ->default_str("model")->transform(CLI::CheckedTransformer(kReferences).description("{model,previous}"))->group(group);
+  command.add_option("--method", options.registration.method, "What is minimised")
+      ->default_str("augmented")->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
   command.add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows")
       ->capture_default_str()->group(group);
   command.add_option("--max-iterations", options.registration.max_iterations)->capture_default_str()->group(group);
@@ -164,8 +176,8 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
       ->capture_default_str()->group(group);
   command.add_option("--json", arguments.json, "With -: print metrics.json to stdout")
       ->check(CLI::IsMember({"-"}))->group(group);
-  command.add_option("--progress", arguments.progress, "A bar on the terminal: auto or none (default auto)")
-      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))->group(group);
+  command.add_option("--progress", arguments.progress, "A bar with the frame rate on stderr, if that is a terminal")
+      ->default_str("auto")->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))->group(group);
   command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
 }
 
@@ -186,7 +198,7 @@ void add_odometry_command(CLI::App& app, int& exit_code) {
       "  augicp odometry chess/seq-01 --last 500\n"
       "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
   command->callback([arguments, command, &exit_code] {
-    exit_code = run_odometry(*arguments, "[odometry]\n" + command->config_to_str(/*default_also=*/true));
+    exit_code = run_odometry(*arguments, *command);
   });
 }
 

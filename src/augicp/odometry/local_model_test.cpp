@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "augicp/geometry/rotation.h"
@@ -26,19 +27,16 @@ Scan seen_from(const Rigid3& scene_camera_from_camera, unsigned noise_seed) {
   return prepare(scan, derive_lengths(scan, scan), RegistrationOptions{});
 }
 
-// RMS of the depths of two scans in the pixels that both see.
-double rms_depth_difference(const Scan& a, const Scan& b) {
-  double sum = 0.0;
-  int count = 0;
+// The median distance of a's points from the planes that b saw in the same pixels.
+double median_distance(const Scan& a, const Scan& b) {
+  std::vector<double> distances;
   for (std::size_t pixel = 0; pixel < a.view->index.index.size(); ++pixel) {
     const std::int32_t i = a.view->index.index[pixel], j = b.view->index.index[pixel];
-    if (i == IndexImage::kNone || j == IndexImage::kNone) continue;
-    const double difference = a.cloud.points[i].z() - b.cloud.points[j].z();
-    if (std::abs(difference) > 0.1) continue;  // the other side of an outline
-    sum += difference * difference;
-    ++count;
+    if (i == IndexImage::kNone || j == IndexImage::kNone || b.cloud.structures[j] != Structure::Planar) continue;
+    distances.push_back(std::abs(b.cloud.directions[j].dot(a.cloud.points[i] - b.cloud.points[j])));
   }
-  return std::sqrt(sum / count);
+  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
+  return distances[distances.size() / 2];
 }
 
 TEST(LocalModel, OfOneFrameIsThatFrame) {
@@ -51,21 +49,21 @@ TEST(LocalModel, OfOneFrameIsThatFrame) {
 TEST(LocalModel, AveragesNoiseAway) {
   const Scan exact = seen_from({}, 0);
   LocalModel model = model_of(seen_from({}, 1));
-  const double alone = rms_depth_difference(model.scan, exact);
+  const double alone = median_distance(model.scan, exact);
   for (unsigned seed = 2; seed <= 16; ++seed) merge(model, seen_from({}, seed), Rigid3{}, kMerge, 1);
   // 16 independent readings: a quarter, were all of them merged.
-  EXPECT_LT(rms_depth_difference(model.scan, exact), 0.45 * alone);
+  EXPECT_LT(median_distance(model.scan, exact), 0.45 * alone);
 }
 
 TEST(LocalModel, AlsoOverFramesFromOtherPlaces) {
   const Scan exact = seen_from({}, 0);
   LocalModel model = model_of(seen_from({}, 1));
-  const double alone = rms_depth_difference(model.scan, exact);
+  const double alone = median_distance(model.scan, exact);
   for (unsigned seed = 2; seed <= 10; ++seed) {
     const Rigid3 moved{rotation_exp({0.0, 0.003 * seed, 0.0}), {0.004 * seed, 0.0, 0.0}};
     merge(model, seen_from(moved, seed), moved, kMerge, 1);
   }
-  EXPECT_LT(rms_depth_difference(model.scan, exact), 0.7 * alone);
+  EXPECT_LT(median_distance(model.scan, exact), 0.7 * alone);
 }
 
 TEST(LocalModel, ReadingsFarOffOrTurnedAreNotAveraged) {
@@ -122,7 +120,7 @@ TEST(LocalModel, IsCarriedOverToANewView) {
   for (unsigned seed = 2; seed <= 12; ++seed) merge(model, seen_from({}, seed), Rigid3{}, kMerge, 1);
   const Scan keyframe = seen_from(moved, 20), exact = seen_from(moved, 0);
   const LocalModel carried = carried_over(model, keyframe, inverse(moved), kMerge, 1);
-  EXPECT_LT(rms_depth_difference(carried.scan, exact), 0.8 * rms_depth_difference(keyframe, exact));
+  EXPECT_LT(median_distance(carried.scan, exact), 0.8 * median_distance(keyframe, exact));
   EXPECT_GE(carried.scan.cloud.size(), keyframe.cloud.size() * 9 / 10) << "what only the keyframe sees is in it";
   for (std::size_t pixel = 0; pixel < carried.scan.view->index.index.size(); ++pixel)
     EXPECT_LT(carried.scan.view->index.index[pixel], static_cast<std::int32_t>(carried.scan.cloud.size()));
@@ -134,7 +132,7 @@ TEST(LocalModel, WhatTheNewKeyframeSeesThroughIsDropped) {
   for (Vec3f& point : model.scan.cloud.points) point *= 0.5f;  // half as near as the scene, on the same rays
   const LocalModel carried = carried_over(model, keyframe, Rigid3{}, kMerge, 1);
   EXPECT_EQ(carried.scan.cloud.points.size(), keyframe.cloud.points.size());
-  EXPECT_LT(rms_depth_difference(carried.scan, keyframe), 1e-6);
+  EXPECT_LT(median_distance(carried.scan, keyframe), 1e-6);
 }
 
 }  // namespace

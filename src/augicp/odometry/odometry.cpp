@@ -96,6 +96,8 @@ Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
   Scan straight;
   for (int pass = 0; pass < (readout_s_ > 0.0 ? kPasses : 1); ++pass) {
     straight = straightened(frame, report.stamp_s, report.world_from_camera);
+    // The first frame of a segment was taken as it came: only now is it known how the camera moved then.
+    if (start_frame_ && pass > 0) reference_ = model_of(straightened(*start_frame_, report.stamp_s, report.world_from_camera));
     const AlignResult result = register_prepared(straight, reference_->scan,
                                                  inverse(world_from_reference_) * report.world_from_camera, lengths,
                                                  options_.registration);
@@ -112,6 +114,7 @@ Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
     if (report.status == FrameStatus::Lost) break;
     report.world_from_camera = world_from_reference_ * result.target_from_source;
   }
+  if (has_pose(report.status)) start_frame_.reset();
   return straight;
 }
 
@@ -138,6 +141,7 @@ void Odometry::start_segment(const Scan& frame, FrameReport& report) {
   report.status = FrameStatus::Started;
   report.is_keyframe = true;
   reference_ = model_of(frame);
+  if (readout_s_ > 0.0) start_frame_ = frame;
   world_from_reference_ = report.world_from_camera;
   before_last_.reset();
   last_ = StampedPose{report.stamp_s, report.world_from_camera};

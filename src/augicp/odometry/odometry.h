@@ -101,6 +101,7 @@ class Odometry {
   OdometryOptions options_;
   double readout_s_;
   std::optional<LocalModel> reference_;
+  std::optional<Scan> start_frame_;  // as it came, until a second one tells how the camera moved
   Rigid3 world_from_reference_;
   std::optional<StampedPose> before_last_, last_;  // of this segment
   std::optional<double> last_stamp_s_;             // of any frame

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+
+#include <limits>
 #include <numbers>
 
 #include "augicp/geometry/rotation.h"
@@ -33,8 +35,8 @@ Rigid3 first_from_camera(double k) {
   return {rotation_exp({0.004 * k, 0.01 * k, 0.0}), {0.01 * k, 0.002 * k, 0.005 * k}};
 }
 
-Scan frame_at(const Rigid3& first_from_here, unsigned seed, unsigned room_seed = 1) {
-  const testing::Scene room = testing::room(room_seed);
+Scan frame_at(const Rigid3& first_from_here, unsigned seed) {
+  const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(120);
   DepthImage depth =
       testing::render(room, camera, camera.width, camera.height, room.world_from_camera * first_from_here).depth;
@@ -60,7 +62,7 @@ TEST(Odometry, FollowsACameraThroughARoom) {
     for (int k = 1; k < 25; ++k) {
       const FrameReport report = odometry.add(k * kFramePeriod_s, frame(k));
       EXPECT_EQ(report.status, FrameStatus::Tracked) << k;
-      EXPECT_THAT(report.world_from_camera, NearPose(first_from_camera(k), 0.01, 0.02)) << k;
+      EXPECT_THAT(report.world_from_camera, NearPose(first_from_camera(k), 0.01, 0.03)) << k;
       EXPECT_EQ(report.segment, 0);
     }
   }
@@ -128,7 +130,7 @@ TEST(Odometry, StartsANewSegmentWhenTheCameraStaysLost) {
   for (int k = 0; k < 3; ++k) odometry.add(k * kFramePeriod_s, frame(k));
   std::vector<FrameStatus> statuses;
   FrameReport last;
-  const Rigid3 turned{rotation_exp({0.0, std::numbers::pi, 0.0}), Vec3d::Zero()};
+  const Rigid3 turned{rotation_exp({0.0, 1.2, 0.0}), Vec3d::Zero()};
   for (int k = 3; k < 12; ++k) {
     last = odometry.add(k * kFramePeriod_s, frame_at(first_from_camera(k) * turned, 60 + k));
     statuses.push_back(last.status);
