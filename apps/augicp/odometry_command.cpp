@@ -161,7 +161,7 @@ void add_method_options(CLI::App& command, OdometryOptions& options) {
       ->default_str("model")->transform(CLI::CheckedTransformer(kReferences).description("{model,previous}"))->group(group);
   command.add_option("--method", options.registration.method, "What is minimised")
       ->default_str("augmented")->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
-  command.add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows")
+  command.add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows; 0: as leaves 160 columns")
       ->capture_default_str()->group(group);
   command.add_option("--max-iterations", options.registration.max_iterations)->capture_default_str()->group(group);
   command.add_option("--threads", options.registration.num_threads, "0: all; the result is the same for any number")
