@@ -4,6 +4,7 @@
 
     command_test.py AUGICP PROJECT
 """
+import csv
 import json
 import math
 import subprocess
@@ -153,6 +154,73 @@ class CommandTest(unittest.TestCase):
         header = output.read_bytes()[:2000].decode("latin-1")
         for words in (f"element vertex {points}", "property float nx", "property uchar red", "property uchar structure"):
             self.assertIn(words, header)
+
+    def odometry(self, name, *words):
+        """Runs odometry on the first images of the sample; gives the folder of its results."""
+        output = self.folder / name
+        finished = run("odometry", DESK.parent, "--camera", "tum-fr1", "--last", 12, "--output", output, *words)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        self.assertEqual(finished.stderr, "", "no progress bar where stderr is no terminal")
+        return output
+
+    def test_odometry_tracks_the_sample(self):
+        output = self.odometry("run")
+        self.assertEqual({path.name for path in output.iterdir()},
+                         {"trajectory.txt", "frames.csv", "metrics.json", "config.toml"})
+        metrics = json.loads((output / "metrics.json").read_text())
+        self.assertEqual((metrics["num_frames"], metrics["num_tracked"], metrics["num_started"]), (12, 11, 1))
+        self.assertLess(metrics["evaluation"]["ate_aligned"]["translation"]["rmse"], 0.015)
+        self.assertLess(metrics["evaluation"]["rpe"]["translation"]["rmse"], 0.008)
+        with open(output / "frames.csv", newline="", encoding="utf-8") as rows:
+            frames = list(csv.DictReader(rows))
+        self.assertEqual([row["status"] for row in frames], ["started"] + 11 * ["tracked"])
+        # What the metrics say of the trajectory is what evaluate says of the file.
+        finished = run("evaluate", output / "trajectory.txt", DESK.parent / "groundtruth.txt", "--json", "-")
+        self.assertEqual(json.loads(finished.stdout)["ate_aligned"], metrics["evaluation"]["ate_aligned"])
+
+    def test_odometry_gives_the_same_bits_on_any_number_of_threads_and_from_its_config(self):
+        trajectories = set()
+        for threads in (1, 2, 5):
+            output = self.odometry(f"threads{threads}", "--threads", threads, "--quiet")
+            trajectories.add((output / "trajectory.txt").read_bytes())
+        (output / "trajectory.txt").unlink()
+        finished = run("--config", output / "config.toml", "odometry", "--quiet")
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        trajectories.add((output / "trajectory.txt").read_bytes())
+        self.assertEqual(len(trajectories), 1)
+
+    def test_odometry_goes_on_after_damaged_repeated_and_late_images(self):  # robustness 17
+        sequence = self.folder / "sequence"
+        sequence.mkdir()
+        lines = [line.split() for line in (DESK.parent / "depth.txt").read_text().splitlines() if line[0] != "#"][:8]
+        for _, image in lines:
+            (sequence / image).parent.mkdir(exist_ok=True)
+            (sequence / image).write_bytes((DESK.parent / image).read_bytes())
+        damaged = sequence / lines[3][1]
+        damaged.write_bytes(damaged.read_bytes()[:5000])
+        listed = lines[:6] + [lines[5], lines[2]] + lines[6:]
+        (sequence / "depth.txt").write_text("\n".join(" ".join(line) for line in listed))
+        output = self.folder / "run"
+        finished = run("odometry", sequence, "--camera", "tum-fr1", "--output", output)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        with open(output / "frames.csv", newline="", encoding="utf-8") as rows:
+            frames = list(csv.DictReader(rows))
+        expected = ["started"] + 2 * ["tracked"] + ["unreadable"] + 2 * ["tracked"] + 2 * ["out_of_order"] + 2 * ["tracked"]
+        self.assertEqual([row["status"] for row in frames], expected)
+        self.assertIn(damaged.name, frames[3]["problem"])
+        poses = [line for line in (output / "trajectory.txt").read_text().splitlines() if line[0] != "#"]
+        self.assertEqual(len(poses), 7)
+
+    def test_odometry_says_what_it_lacks(self):
+        for words, code, part in ((("odometry", DESK.parent), 2, "which camera"),
+                                  (("odometry", self.folder), 3, "found no image"),
+                                  (("odometry", DESK.parent, "--camera", "tum-fr1", "--first", 99), 2, "no frame"),
+                                  (("odometry", DESK.parent, "--camera", "500 500 9 9", "--depth-scale", 1), 3, "depth scale"),
+                                  (("odometry", DESK.parent, "--camera", "tum-fr1", "--output", "/dev/null/x"), 3, "/dev/null/x")):
+            output = () if "--output" in words else ("--output", self.folder / "none")
+            finished = run(*words, "--last", 3, *output) if part == "depth scale" else run(*words, *output)
+            self.assertEqual(finished.returncode, code, finished.stderr)
+            self.assertIn(part, finished.stderr)
 
     def test_full_standard_output_is_an_error(self):
         with open("/dev/full", "w", encoding="ascii") as full:
