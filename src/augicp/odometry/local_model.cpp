@@ -25,7 +25,7 @@ class MovedPoints {
 
   ExtendedPoint operator[](std::int32_t i) const {
     return {rotation_ * cloud_.points[i] + translation_, rotation_ * cloud_.directions[i], cloud_.structures[i],
-            cloud_.weights[i]};
+            cloud_.weights.empty() ? 1.0f : cloud_.weights[i]};
   }
 
  private:
@@ -73,7 +73,13 @@ bool still_seen(const ExtendedPoint& point, const Scan& keyframe, std::size_t pi
 
 }  // namespace
 
-LocalModel model_of(const Scan& keyframe) { return {keyframe, keyframe.cloud.weights}; }
+LocalModel model_of(const Scan& keyframe) {
+  LocalModel model{keyframe, {}};
+  std::vector<float>& weights = model.scan.cloud.weights;
+  if (weights.empty()) weights.assign(keyframe.cloud.size(), 1.0f);
+  model.weights = weights;
+  return model;
+}
 
 void merge(LocalModel& model, const Scan& frame, const Rigid3& model_from_frame, const MergeOptions& options,
            int num_threads) {

@@ -24,7 +24,7 @@ struct LocalModel {
   std::vector<float> weights;  // of each point's average: the sum over its readings
 };
 
-// A model that a single frame saw. It must have a view, directions and weights.
+// A model that a single frame saw. Every frame must have a view and directions; without weights all its points count alike.
 LocalModel model_of(const Scan& keyframe);
 
 // Averages a registered frame into the model; where the model's view has nothing yet, the frame's points are added.

@@ -46,6 +46,18 @@ TEST(LocalModel, OfOneFrameIsThatFrame) {
   EXPECT_EQ(model.weights, frame.cloud.weights);
 }
 
+TEST(LocalModel, FramesWithoutWeightsCountAlike) {
+  Scan frame = seen_from({}, 1), other = seen_from({}, 2);
+  frame.cloud.weights.clear();
+  other.cloud.weights.clear();
+  LocalModel model = model_of(frame);
+  merge(model, other, Rigid3{}, kMerge, 1);
+  std::size_t num_averaged = 0;
+  for (const float weight : model.weights) num_averaged += weight == 2.0f;
+  EXPECT_GT(num_averaged, frame.cloud.size() / 2);
+  EXPECT_EQ(carried_over(model, other, Rigid3{}, kMerge, 1).scan.cloud.weights.size(), frame.cloud.size());
+}
+
 TEST(LocalModel, AveragesNoiseAway) {
   const Scan exact = seen_from({}, 0);
   LocalModel model = model_of(seen_from({}, 1));
