@@ -54,7 +54,8 @@ DepthCamera camera_for(const DepthSequence& sequence, const OdometryArguments& a
 // The frames asked for, each with its number in the sequence.
 std::vector<FrameRow> chosen_frames(const DepthSequence& sequence, const OdometryArguments& arguments) {
   std::vector<FrameRow> rows;
-  for (std::size_t i = arguments.first; i < std::min(arguments.last, sequence.frames.size()); i += arguments.every)
+  const std::size_t end = std::min(arguments.last, sequence.frames.size());
+  for (std::size_t i = arguments.first; i < end; i += std::min(arguments.every, end - i))
     rows.push_back({i, sequence.frames[i].path, {}, 0.0});
   if (rows.empty())
     throw std::invalid_argument(fmt::format("--first {} --last {}: no frame of the sequence's {} is chosen", arguments.first,
@@ -62,18 +63,24 @@ std::vector<FrameRow> chosen_frames(const DepthSequence& sequence, const Odometr
   return rows;
 }
 
-void compare_with_truth(const Trajectory& truth, const OdometryArguments& arguments, OdometryRun& run) {
+EvaluationOptions evaluation_options(const OdometryArguments& arguments) {
   EvaluationOptions options;
   options.association.time_offset_s = arguments.time_offset_s;
+  return options;
+}
+
+void compare_with_truth(const Trajectory& truth, const OdometryArguments& arguments, OdometryRun& run) {
+  const Trajectory trajectory = trajectory_of(run);
+  if (trajectory.empty()) return;
   try {
-    run.evaluation = evaluate(trajectory_of(run), truth, options);
+    run.evaluation = evaluate(trajectory, truth, evaluation_options(arguments));
   } catch (const std::invalid_argument& error) {
     run.evaluation_problem = error.what();
   }
 }
 
 OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& camera, const OdometryArguments& arguments) {
-  OdometryRun run{arguments.sequence, sequence.layout, chosen_frames(sequence, arguments), 0.0, {}, {}};
+  OdometryRun run{arguments.sequence, sequence.layout, chosen_frames(sequence, arguments), 0.0, {}, sequence.truth_problem};
   std::vector<DepthFrameFile> files;
   for (const FrameRow& row : run.rows) files.push_back(sequence.frames[row.frame]);
   DepthSequenceReader reader(std::move(files), arguments.depth_scale.value_or(sequence.depth_scale));
@@ -94,7 +101,7 @@ OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& cam
 ExitCode exit_code_for(const OdometryRun& run) {
   const Trajectory trajectory = trajectory_of(run);
   if (trajectory.empty() || (trajectory.size() == 1 && run.rows.size() > 1)) return kRegistrationFailed;
-  return run.rows.back().report.segment > 0 ? kDoubtful : kSuccess;
+  return num_segments(run) > 1 || !mostly_tracked(run) ? kDoubtful : kSuccess;
 }
 
 // Every image refused: then the reason is not the images.
@@ -104,8 +111,23 @@ void require_readable_frames(const OdometryRun& run) {
     throw IoError("no image can be used; the first: " + run.rows.front().report.problem);
 }
 
-// Every option as it took effect, so that --config with this file repeats the run.
-std::string effective_config(CLI::App& command, const DepthSequence& sequence, const DepthCamera& camera) {
+void set(CLI::App& command, const std::string& option, const std::string& value) {
+  command.get_option(option)->clear();
+  command.get_option(option)->add_result(value);
+}
+
+std::string in_numbers(const DepthCamera& camera) {
+  const auto& [fx, fy, cx, cy, width, height] = camera.pinhole;
+  const auto& [k1, k2, p1, p2, k3] = camera.distortion;
+  return fmt::format("{} {} {} {} {} {} {} {} {}", fx, fy, cx, cy, k1, k2, p1, p2, k3);
+}
+
+// Every option as it took effect, so that --config with this file repeats the run, from any folder.
+std::string effective_config(CLI::App& command, const DepthSequence& sequence, const DepthCamera& camera,
+                             const fs::path& output) {
+  set(command, "--sequence", fs::absolute(command.get_option("--sequence")->as<std::string>()).string());
+  set(command, "--output", fs::absolute(output).string());
+  set(command, "--camera", in_numbers(camera));
   command.get_option("--depth-scale")->default_str(fmt::format("{}", sequence.depth_scale));
   command.get_option("--readout")->default_str(fmt::format("{}", camera.readout_s));
   std::istringstream lines(command.config_to_str(/*default_also=*/true));
@@ -117,13 +139,16 @@ std::string effective_config(CLI::App& command, const DepthSequence& sequence, c
 
 int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   arguments.odometry.check();
+  evaluation_options(arguments).check();
   const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s);
   const DepthCamera camera = camera_for(sequence, arguments);
   const fs::path folder = output_folder(arguments);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
-  write_file(folder / "config.toml", effective_config(command, sequence, camera));  // first, so that a folder that cannot be written to costs no run
+  write_file(folder / "config.toml", effective_config(command, sequence, camera, folder));
+  // The options come first, so that a folder that cannot be written to costs no run; what another run left goes.
+  for (const char* name : {"trajectory.txt", "frames.csv", "metrics.json"}) fs::remove(folder / name, error);
 
   const OdometryRun run = track_sequence(sequence, camera, arguments);
   require_readable_frames(run);
@@ -149,9 +174,9 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
       ->group(group);
   command.add_option("--rate", arguments.frames_per_s, "Frames a second where the folder has no time stamps")
       ->capture_default_str()->group(group);
-  command.add_option("--first", arguments.first, "Number of the first frame, from 0")->capture_default_str()->group(group);
-  command.add_option("--last", arguments.last, "Number of the frame to stop before (default: all)")->group(group);
-  command.add_option("--every", arguments.every, "Use every so many frames")->check(CLI::PositiveNumber)
+  command.add_option("--first", arguments.first, "The first frame: its place in the sequence, from 0")->capture_default_str()->group(group);
+  command.add_option("--last", arguments.last, "The frame to stop before (default: all)")->group(group);
+  command.add_option("--every", arguments.every, "Use every so many frames")->check(CLI::Range(1, 1'000'000'000))
       ->capture_default_str()->group(group);
 }
 

@@ -49,6 +49,12 @@ std::string counts_text(const OdometryRun& run) {
 
 }  // namespace
 
+int num_segments(const OdometryRun& run) { return static_cast<int>(num_with(run, FrameStatus::Started)); }
+
+bool mostly_tracked(const OdometryRun& run) {
+  return 2 * (num_with(run, FrameStatus::Tracked) + num_with(run, FrameStatus::Started)) >= run.rows.size();
+}
+
 Trajectory trajectory_of(const OdometryRun& run) {
   Trajectory trajectory;
   for (const FrameRow& row : run.rows)
@@ -60,10 +66,9 @@ std::string frames_csv(const OdometryRun& run) {
   std::string text = "frame,stamp_s,image,status,segment,keyframe,registration,pairs,iterations,overlap,rmse,time_ms,problem\n";
   for (const FrameRow& row : run.rows) {
     const FrameReport& report = row.report;
-    const bool registered = report.iterations > 0 || report.num_pairs > 0;
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.3f},{}\n", row.frame, report.stamp_s,
                         in_csv(row.image.filename().string()), name_of(report.status), report.segment,
-                        report.is_keyframe ? 1 : 0, registered ? name_of(report.registration) : "", report.num_pairs,
+                        report.is_keyframe ? 1 : 0, report.registration ? name_of(*report.registration) : "", report.num_pairs,
                         report.iterations, report.overlap, report.rmse, row.time_ms, in_csv(report.problem));
   }
   return text;
@@ -88,9 +93,13 @@ std::string summary_text(const OdometryRun& run) {
   text += fmt::format("frames     {}\n", counts_text(run));
   text += fmt::format("time       {:.1f} s, {:.1f} frames/s, median {:.1f} ms a frame\n", run.total_ms / 1000.0,
                       frames_per_s(run), median_time_ms(run));
-  if (num_with(run, FrameStatus::Started) > 1)
+  const auto with_problem = std::find_if(run.rows.begin(), run.rows.end(),
+                                         [](const FrameRow& row) { return !row.report.problem.empty(); });
+  if (with_problem != run.rows.end()) text += fmt::format("problem    {}\n", with_problem->report.problem);
+  if (!mostly_tracked(run)) text += "warning    less than half of the frames could be tracked\n";
+  if (num_segments(run) > 1)
     text += fmt::format("warning    the camera was lost: the trajectory has {} segments with no measured motion between them\n",
-                        num_with(run, FrameStatus::Started));
+                        num_segments(run));
   if (run.evaluation) text += evaluation_text(*run.evaluation);
   if (!run.evaluation_problem.empty()) text += fmt::format("truth      not compared: {}\n", run.evaluation_problem);
   return text;

@@ -31,6 +31,11 @@ struct OdometryRun {
 // The frames that have a pose.
 Trajectory trajectory_of(const OdometryRun& run);
 
+int num_segments(const OdometryRun& run);
+
+// Whether at least half of the frames are tracked, or start a segment.
+bool mostly_tracked(const OdometryRun& run);
+
 std::string frames_csv(const OdometryRun& run);
 nlohmann::ordered_json metrics_json(const OdometryRun& run);
 std::string summary_text(const OdometryRun& run);

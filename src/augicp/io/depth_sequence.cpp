@@ -25,10 +25,15 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, ignored);
 }
 
-std::optional<Trajectory> truth_in(const fs::path& folder) {
+// A damaged truth does not keep anyone from tracking.
+void read_truth(const fs::path& folder, DepthSequence& sequence) {
   const fs::path path = folder / "groundtruth.txt";
-  if (!is_there(path)) return std::nullopt;
-  return read_tum_trajectory(path).trajectory;
+  if (!is_there(path)) return;
+  try {
+    sequence.truth = read_tum_trajectory(path).trajectory;
+  } catch (const IoError& error) {
+    sequence.truth_problem = error.what();
+  }
 }
 
 std::optional<Rigid3> pose_in(const fs::path& file) {
@@ -57,31 +62,41 @@ std::optional<DepthCamera> camera_in(const fs::path& folder) {
 }
 
 DepthSequence tum_sequence(const fs::path& folder) {
-  return {"TUM", parse_image_list(read_bytes(folder / "depth.txt")), kTumDepthScale, camera_in(folder), truth_in(folder)};
+  DepthSequence sequence{"TUM", parse_image_list(read_bytes(folder / "depth.txt")), kTumDepthScale, camera_in(folder), {}, {}};
+  read_truth(folder, sequence);
+  return sequence;
 }
 
 DepthSequence seven_scenes_sequence(const fs::path& folder, std::vector<DepthFrameFile> frames) {
-  DepthSequence sequence{"7-Scenes", std::move(frames), kUsualDepthScale, camera_by_name("7scenes"), {}};
-  // A file tells the pinhole; the shutter is the layout's.
-  if (const auto camera = camera_in(folder)) sequence.camera->pinhole = camera->pinhole;
+  DepthSequence sequence{"7-Scenes", std::move(frames), kUsualDepthScale, camera_by_name("7scenes"), {}, {}};
+  if (const auto camera = camera_in(folder)) sequence.camera = camera;
   sequence.truth = seven_scenes_truth(sequence.frames);
   return sequence;
+}
+
+// A few speckles in a black image say nothing about the scale.
+bool has_enough_readings(const DepthImage& image) {
+  constexpr double kMinShare = 0.01;
+  const auto count = std::count_if(image.depth.begin(), image.depth.end(), [](float depth) { return !std::isnan(depth); });
+  return static_cast<double>(count) > kMinShare * static_cast<double>(image.depth.size());
 }
 
 }  // namespace
 
 DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
   require_positive("frames_per_s", frames_per_s);
-  if (!fs::is_directory(folder)) throw io_error(folder, "expected a folder of depth images");
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) throw io_error(folder, "expected a folder of depth images");
   DepthSequence sequence;
   if (is_there(folder / "depth.txt")) {
     sequence = tum_sequence(folder);
   } else if (auto frames = numbered_files(folder, kSevenScenesEnding, frames_per_s); !frames.empty()) {
     sequence = seven_scenes_sequence(folder, std::move(frames));
   } else {
-    const fs::path images = fs::is_directory(folder / "depth") ? folder / "depth" : folder;
+    const fs::path images = fs::is_directory(folder / "depth", ignored) ? folder / "depth" : folder;
     sequence = {"numbered", numbered_files(images, ".png", frames_per_s), kUsualDepthScale, camera_in(folder),
-                truth_in(folder)};
+                {}, {}};
+    read_truth(folder, sequence);
   }
   if (sequence.frames.empty())
     throw io_error(folder, "expected depth.txt, frame-000000.depth.png ... or numbered .png files, found no image");
@@ -103,8 +118,7 @@ std::optional<DepthFrame> DepthSequenceReader::next() {
     frame.problem = error.what();
     return frame;
   }
-  const auto is_reading = [](float depth) { return !std::isnan(depth); };
-  if (!scale_is_checked_ && std::any_of(frame.image.depth.begin(), frame.image.depth.end(), is_reading)) {
+  if (!scale_is_checked_ && has_enough_readings(frame.image)) {
     check_depth_scale(frame.image, file.path, depth_scale_);
     scale_is_checked_ = true;
   }

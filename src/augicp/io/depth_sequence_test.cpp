@@ -86,6 +86,45 @@ TEST(DepthSequence, NumbersSortAsNumbers) {
   EXPECT_EQ(sequence.camera->pinhole.fy, 501.0);
 }
 
+// Pointed at the images of a TUM folder, one level too deep.
+TEST(DepthSequence, NamesThatAreStampsAreStamps) {
+  const testing::TemporaryFolder folder;
+  for (const char* name : {"1305031453.374112.png", "1305031454.005.PNG", "1305031453.404816.png"}) write_file(folder / name, "");
+  const DepthSequence sequence = read_depth_sequence(folder.path());
+  ASSERT_EQ(sequence.frames.size(), 3u);
+  EXPECT_EQ(sequence.frames[0].stamp_s, 1305031453.374112);
+  EXPECT_EQ(sequence.frames[1].stamp_s, 1305031453.404816);
+  EXPECT_EQ(sequence.frames[2].stamp_s, 1305031454.005);
+  write_file(folder / "1305031453374.png", "");
+  EXPECT_THAT(refusal(folder.path()), HasSubstr("write a depth.txt"));
+}
+
+TEST(DepthSequence, PathsInAListMayHaveBlanks) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "depth.txt", "1.0  my images/a 1.png \n");
+  EXPECT_EQ(read_depth_sequence(folder.path()).frames[0].path, folder.path() / "my images/a 1.png");
+}
+
+TEST(DepthSequence, ADamagedTruthIsToldAndDoesNotStopAnyone) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "depth.txt", "1.0 a.png\n");
+  write_file(folder / "groundtruth.txt", "1.0 2.0\n");
+  const DepthSequence sequence = read_depth_sequence(folder.path());
+  EXPECT_FALSE(sequence.truth);
+  EXPECT_THAT(sequence.truth_problem, HasSubstr("groundtruth.txt: line 1"));
+}
+
+TEST(DepthSequence, AFoldersCameraComesWhole) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "frame-000000.depth.png", "");
+  write_file(folder / "camera.json",
+             R"({"intrinsic_matrix": [585,0,0, 0,586.5,0, 320,240,1], "distortion": [0.1,0,0,0,0], "readout_s": 0.02})");
+  const DepthSequence sequence = read_depth_sequence(folder.path());
+  EXPECT_EQ(sequence.camera->pinhole.fy, 586.5);
+  EXPECT_EQ(sequence.camera->distortion.k1, 0.1);
+  EXPECT_EQ(sequence.camera->readout_s, 0.02);
+}
+
 TEST(DepthSequence, WhatIsNoSequenceIsRefused) {
   const testing::TemporaryFolder folder;
   EXPECT_THAT(refusal(folder / "missing"), HasSubstr("expected a folder of depth images"));
@@ -96,7 +135,7 @@ TEST(DepthSequence, WhatIsNoSequenceIsRefused) {
   for (const auto& [list, message] : {std::pair{"1.0 a.png\nx b.png\n", "line 2: expected a time stamp"},
                                       std::pair{"nan a.png\n", "line 1: expected a time stamp"},
                                       std::pair{"1.0\n", "line 1: expected a time stamp and a path"},
-                                      std::pair{"1.0 a.png b.png\n", "line 1: expected a time stamp and a path"},
+                                      std::pair{"1305031453374.1 a.png\n", "line 1: expected a time stamp in seconds"},
                                       std::pair{"# nothing\n", "found no image"}}) {
     write_file(folder / "depth.txt", list);
     EXPECT_THAT(refusal(folder.path()), HasSubstr(message)) << list;
@@ -127,8 +166,12 @@ TEST(DepthSequenceReader, GoesOnAfterADamagedImage) {
 TEST(DepthSequenceReader, AWrongDepthScaleEndsTheRunAtTheFirstImageWithReadings) {
   const testing::TemporaryFolder folder;
   write_depth_png(folder / "0.png", flat(std::numeric_limits<float>::quiet_NaN()), 1000.0);
+  DepthImage speckle{20, 10, std::vector<float>(200, std::numeric_limits<float>::quiet_NaN())};
+  speckle.depth[7] = 0.001f;
+  write_depth_png(folder / "speckle.png", speckle, 1000.0);
   write_depth_png(folder / "1.png", flat(1.0f), 1000.0);
-  DepthSequenceReader reader({{0.0, folder / "0.png"}, {1.0, folder / "1.png"}}, 1.0);
+  DepthSequenceReader reader({{0.0, folder / "0.png"}, {0.5, folder / "speckle.png"}, {1.0, folder / "1.png"}}, 1.0);
+  EXPECT_EQ(reader.next()->problem, "");
   EXPECT_EQ(reader.next()->problem, "");
   EXPECT_THROW(reader.next(), IoError);
   EXPECT_THROW(DepthSequenceReader({}, 0.0), std::invalid_argument);

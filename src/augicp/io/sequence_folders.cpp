@@ -1,24 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/sequence_folders.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_lines.h"
+#include "augicp/io/trajectory_file.h"
 
 namespace augicp {
 namespace {
 
-// The number at the end of a name, if there is one that a stamp can be made of.
-std::optional<std::uint64_t> number_at_end(std::string_view name) {
-  constexpr std::size_t kMaxDigits = 15;  // exact in a double
-  std::size_t begin = name.size();
-  while (begin > 0 && name.size() - begin < kMaxDigits && name[begin - 1] >= '0' && name[begin - 1] <= '9') --begin;
-  return parse_count(name.substr(begin));
+constexpr double kMaxNumber = 1e9;  // a year of frames; beyond, it is a stamp of some unit
+
+// The number at the end of a name without its ending: digits, with a decimal point among them or not.
+std::string_view number_at_end(std::string_view name) {
+  const std::size_t before = name.find_last_not_of("0123456789.");
+  name.remove_prefix(before == std::string_view::npos ? 0 : before + 1);
+  const std::size_t first_digit = name.find_first_not_of('.');
+  return first_digit == std::string_view::npos ? std::string_view{} : name.substr(first_digit);
+}
+
+// Nothing where the name ends in no number.
+std::optional<double> stamp_of(const std::filesystem::path& file, std::string_view stem, double frames_per_s) {
+  const std::string_view number = number_at_end(stem);
+  const auto value = parse_double(number);
+  if (number.empty() || !value) return std::nullopt;
+  const bool is_stamp = number.find('.') != std::string_view::npos;
+  if (!(*value <= (is_stamp ? kMaxStamp_s : kMaxNumber)))
+    throw io_error(file, "its number is too large for a frame's: where it is a stamp, write a depth.txt with lines \"stamp path\" in seconds");
+  return is_stamp ? *value : *value / frames_per_s;
+}
+
+bool ends_with(std::string name, std::string_view ending) {
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return name.ends_with(ending);
 }
 
 }  // namespace
@@ -29,34 +47,35 @@ std::vector<DepthFrameFile> parse_image_list(const FileBytes& list) {
   while (const auto line = lines.next_not_blank()) {
     std::string_view rest = trimmed(*line);
     if (rest.front() == '#') continue;
-    const auto stamp = next_field(rest), path = next_field(rest);
+    const auto stamp = next_field(rest);
     const auto stamp_s = stamp ? parse_double(*stamp) : std::nullopt;
-    if (!stamp_s || !std::isfinite(*stamp_s))
+    if (!stamp_s || !(std::abs(*stamp_s) <= kMaxStamp_s))
       throw io_error_at_line(list.path, lines.line(), "expected a time stamp in seconds, found " + in_quotes(*stamp));
-    if (!path || next_field(rest))
+    const std::string_view path = trimmed(rest);
+    if (path.empty())
       throw io_error_at_line(list.path, lines.line(), "expected a time stamp and a path, found " + in_quotes(*line));
-    frames.push_back({*stamp_s, list.path.parent_path() / *path});
+    frames.push_back({*stamp_s, list.path.parent_path() / path});
   }
   return frames;
 }
 
 std::vector<DepthFrameFile> numbered_files(const std::filesystem::path& folder, std::string_view ending,
                                            double frames_per_s) {
-  std::map<std::uint64_t, std::filesystem::path> by_number;
+  std::map<double, std::filesystem::path> by_stamp;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.ends_with(ending)) continue;
-    const auto number = number_at_end(std::string_view(name).substr(0, name.size() - ending.size()));
-    if (!number) continue;
-    const auto [other, is_new] = by_number.emplace(*number, entry.path());
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!ends_with(name, ending)) continue;
+    const auto stamp_s = stamp_of(entry->path(), std::string_view(name).substr(0, name.size() - ending.size()), frames_per_s);
+    if (!stamp_s) continue;
+    const auto [other, is_new] = by_stamp.emplace(*stamp_s, entry->path());
     if (!is_new)
       throw io_error(folder, fmt::format("expected one image a number, found {} and {}",
                                          other->second.filename().string(), name));
   }
   if (error) throw io_error(folder, "cannot be listed: " + error.message());
   std::vector<DepthFrameFile> frames;
-  for (const auto& [number, path] : by_number) frames.push_back({static_cast<double>(number) / frames_per_s, path});
+  for (const auto& [stamp_s, path] : by_stamp) frames.push_back({stamp_s, path});
   return frames;
 }
 

@@ -23,8 +23,6 @@ constexpr const char* kColumns = "timestamp tx ty tz qx qy qz qw";
 constexpr std::size_t kNumColumns = 8;
 using Numbers = std::array<double, kNumColumns>;
 
-// Seconds since 1970 stay below it until the year 5138; milliseconds since 1970 passed it in 1973.
-constexpr double kMaxStamp_s = 1e11;
 
 const char* likely_unit(double stamp) {
   const double size = std::abs(stamp);

@@ -10,6 +10,9 @@
 
 namespace augicp {
 
+// Seconds since 1970 stay below it until the year 5138; milliseconds since 1970 passed it in 1973.
+inline constexpr double kMaxStamp_s = 1e11;
+
 struct TrajectoryFile {
   Trajectory trajectory;              // at least one pose, in the order of the stamps
   std::vector<std::string> warnings;  // what may be wrong with the file though all of it was read

@@ -31,6 +31,9 @@ constexpr int kMaxIterations = 30;
 // much: what limits it there is not the noise of single pixels.
 constexpr int kUsualColumns = 160;
 
+// Two frames nearer in time than this are one moment, seconds: no camera is that fast, and a speed from them is noise.
+constexpr double kMinPassed_s = 0.004;
+
 // How the motion during a readout is found out: guessed from the last one, then taken from the registration.
 constexpr int kPasses = 2;
 
@@ -60,6 +63,8 @@ RegistrationOptions tracking_options() {
 void OdometryOptions::check() const {
   registration.check();
   require(pixel_step >= 0, "pixel_step", pixel_step, "must be at least 0 (0: as leaves 160 columns)");
+  require(range.min >= 0.0, "range.min", range.min, "must be at least 0");
+  require(range.max > range.min, "range.max", range.max, "must be above range.min, which is at least 0");
   require(min_overlap >= 0.0 && min_overlap <= 1.0, "min_overlap", min_overlap, "must be from 0 to 1");
   require(keyframe_overlap >= 0.0 && keyframe_overlap <= 1.0, "keyframe_overlap", keyframe_overlap,
           "must be from 0 to 1");
@@ -92,7 +97,8 @@ Odometry::Odometry(const OdometryOptions& options, double readout_s) : options_(
 // Constant velocity, in the camera's frame.
 Rigid3 Odometry::predicted(double stamp_s) const {
   const double ahead_s = stamp_s - last_->stamp_s;
-  if (!before_last_ || ahead_s > options_.max_extrapolation_s) return last_->world_from_camera;
+  const bool has_speed = before_last_ && last_->stamp_s - before_last_->stamp_s >= kMinPassed_s;
+  if (!has_speed || ahead_s > options_.max_extrapolation_s) return last_->world_from_camera;
   const Rigid3 motion = inverse(before_last_->world_from_camera) * last_->world_from_camera;
   return last_->world_from_camera * part_of(motion, ahead_s / (last_->stamp_s - before_last_->stamp_s));
 }
@@ -100,7 +106,9 @@ Rigid3 Odometry::predicted(double stamp_s) const {
 // The frame without the skew of a camera that has come from the last pose to this one.
 Scan Odometry::straightened(const Scan& frame, double stamp_s, const Rigid3& world_from_camera) const {
   const double passed_s = stamp_s - last_->stamp_s;
-  if (readout_s_ == 0.0 || passed_s > options_.max_extrapolation_s) return frame;
+  // Two frames read out at the same time for the most part: the stamps are wrong.
+  const bool is_too_short = passed_s < kMinPassed_s || passed_s < 0.5 * readout_s_;
+  if (readout_s_ == 0.0 || is_too_short || passed_s > options_.max_extrapolation_s) return frame;
   const Rigid3 motion = inverse(last_->world_from_camera) * world_from_camera;
   return without_skew(frame, part_of(motion, readout_s_ / passed_s), options_.registration.num_threads);
 }
@@ -110,11 +118,13 @@ Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
   const Lengths lengths = tracking_lengths(frame, reference_->scan, options_.registration);
   report.world_from_camera = predicted(report.stamp_s);
   Scan straight;
+  std::optional<LocalModel> straight_start;
   for (int pass = 0; pass < (readout_s_ > 0.0 ? kPasses : 1); ++pass) {
     straight = straightened(frame, report.stamp_s, report.world_from_camera);
     // The first frame of a segment was taken as it came: only now is it known how the camera moved then.
-    if (start_frame_ && pass > 0) reference_ = model_of(straightened(*start_frame_, report.stamp_s, report.world_from_camera));
-    const AlignResult result = register_prepared(straight, reference_->scan,
+    if (start_frame_ && pass > 0)
+      straight_start = model_of(straightened(*start_frame_, report.stamp_s, report.world_from_camera));
+    const AlignResult result = register_prepared(straight, (straight_start ? straight_start : reference_)->scan,
                                                  inverse(world_from_reference_) * report.world_from_camera, lengths,
                                                  options_.registration);
     report.registration = result.status;
@@ -130,7 +140,10 @@ Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
     if (report.status == FrameStatus::Lost) break;
     report.world_from_camera = world_from_reference_ * result.target_from_source;
   }
-  if (has_pose(report.status)) start_frame_.reset();
+  if (report.status == FrameStatus::Tracked && start_frame_) {
+    if (straight_start) reference_ = std::move(straight_start);
+    start_frame_.reset();
+  }
   return straight;
 }
 
@@ -174,6 +187,7 @@ FrameReport Odometry::add(double stamp_s, const Scan& frame) {
   last_stamp_s_ = stamp_s;
   if (!frame.view || !frame.cloud.has_directions() || frame.cloud.size() < kMinReadings) {
     report.status = FrameStatus::NoReadings;
+    report.problem = std::to_string(frame.cloud.size()) + " readings, at least " + std::to_string(kMinReadings) + " are needed";
     return report;
   }
   if (!reference_ || num_lost_ >= options_.max_lost) {

@@ -53,7 +53,7 @@ enum class FrameStatus {
   Lost,        // not registered: no pose
   NoReadings,  // too few readings to register: no pose
   OutOfOrder,  // not after the frame before: ignored, no pose
-  Unreadable,  // the image could not be read, see FrameReport::problem: no pose
+  Unreadable,  // the image could not be used, see FrameReport::problem: no pose
 };
 std::string_view name_of(FrameStatus status);
 
@@ -68,13 +68,13 @@ struct FrameReport {
   bool is_keyframe = false;
 
   // Of the registration, if one was made.
-  AlignStatus registration = AlignStatus::TooFewPairs;
+  std::optional<AlignStatus> registration;
   int iterations = 0;
   std::int64_t num_pairs = 0;
   double overlap = 0.0;
   double rmse = 0.0;  // metres
 
-  std::string problem;  // in words, where the image could not be used
+  std::string problem;  // in words, where the status is NoReadings or Unreadable
 };
 
 // The extended points of a frame. Throws std::invalid_argument where the image is not of the camera's size.

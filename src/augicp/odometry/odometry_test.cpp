@@ -144,6 +144,26 @@ TEST(Odometry, StartsANewSegmentWhenTheCameraStaysLost) {
   EXPECT_THAT(last.world_from_camera, NearPose(world_from_restart * moved, 0.01, 0.02));
 }
 
+// robustness 17: two stamps almost equal. No speed is made of the moment between them, with or without a shutter.
+TEST(Odometry, BearsStampsThatAlmostCoincide) {
+  for (const double readout_s : {0.0, kFramePeriod_s}) {
+    for (const int early : {1, 6}) {
+      Odometry odometry(small_images(), readout_s);
+      for (int k = 0; k < 10; ++k) {
+        const double stamp_s = k == early ? (k - 1) * kFramePeriod_s + 1e-5 : k * kFramePeriod_s;
+        const FrameReport report = odometry.add(stamp_s, frame(k));
+        EXPECT_TRUE(has_pose(report.status)) << k;
+        EXPECT_THAT(report.world_from_camera, NearPose(first_from_camera(k), 0.02, 0.04)) << k;
+      }
+    }
+  }
+}
+
+TEST(Odometry, SaysWhyAFrameHasTooFewReadings) {
+  Odometry odometry(small_images());
+  EXPECT_THAT(odometry.add(0.0, black_frame()).problem, ::testing::HasSubstr("0 readings, at least"));
+}
+
 // robustness 17: repeated or out-of-order frames
 TEST(Odometry, IgnoresFramesOutOfOrder) {
   Odometry odometry(small_images());
@@ -204,6 +224,9 @@ TEST(Odometry, RefusesOptionsOutOfTheirRange) {
   EXPECT_THROW(Odometry{options}, std::invalid_argument);
   options = {};
   options.pixel_step = -1;
+  EXPECT_THROW(Odometry{options}, std::invalid_argument);
+  options = {};
+  options.range.max = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(Odometry{options}, std::invalid_argument);
   EXPECT_THROW((Odometry{{}, -1.0}), std::invalid_argument);
 }

@@ -29,9 +29,10 @@ std::optional<PreparedFrame> next_prepared(FrameSource& source, const DepthCamer
   return prepared;
 }
 
-FrameReport report_on(const PreparedFrame& frame, Odometry& odometry) {
+FrameReport report_on(const PreparedFrame& frame, Odometry& odometry, int segment) {
   if (frame.problem.empty()) return odometry.add(frame.stamp_s, frame.scan);
   FrameReport unreadable;
+  unreadable.segment = segment;
   unreadable.stamp_s = frame.stamp_s;
   unreadable.status = FrameStatus::Unreadable;
   unreadable.problem = frame.problem;
@@ -53,9 +54,12 @@ void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions
   const auto prepare_next = [&] { return next_prepared(source, camera, preparing); };
 
   Odometry odometry(registering, camera.readout_s);
+  int segment = 0;
   for (std::optional<PreparedFrame> frame = prepare_next(); frame;) {
     std::future<std::optional<PreparedFrame>> following = std::async(policy, prepare_next);
-    on_frame(report_on(*frame, odometry));
+    const FrameReport report = report_on(*frame, odometry, segment);
+    segment = report.segment;
+    on_frame(report);
     frame = following.get();
   }
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "augicp/geometry/rotation.h"
@@ -21,7 +22,7 @@ constexpr int kWidth = 48;
 DepthImage image_at(int k) {
   const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(kWidth);
-  const Rigid3 moved{rotation_exp({0.0, 0.01 * k, 0.0}), {0.01 * k, 0.0, 0.0}};
+  const Rigid3 moved{rotation_exp({0.0, 0.02 * k, 0.0}), {0.01 * k, 0.0, 0.0}};
   DepthImage depth = testing::render(room, camera, camera.width, camera.height, room.world_from_camera * moved).depth;
   testing::add_depth_noise(depth, testing::kKinectSigmaAt1m, static_cast<unsigned>(k + 1));
   return depth;
@@ -62,12 +63,15 @@ std::vector<FrameReport> tracked(std::vector<DepthFrame> frames, int num_threads
 }
 
 TEST(TrackThreads, GiveTheSameBits) {
-  const std::vector<FrameReport> on_one = tracked(moving_frames(8), 1);
-  for (const int num_threads : {0, 2, 3, 4, 8}) {
-    const std::vector<FrameReport> on_more = tracked(moving_frames(8), num_threads);
+  const std::vector<FrameReport> on_one = tracked(moving_frames(20), 1);
+  EXPECT_TRUE(std::any_of(on_one.begin() + 1, on_one.end(), [](const FrameReport& report) { return report.is_keyframe; }));
+  for (const int num_threads : {0, 2, 5}) {
+    const std::vector<FrameReport> on_more = tracked(moving_frames(20), num_threads);
     ASSERT_EQ(on_more.size(), on_one.size());
     for (std::size_t k = 0; k < on_one.size(); ++k) {
       EXPECT_EQ(on_more[k].status, on_one[k].status);
+      EXPECT_EQ(on_more[k].num_pairs, on_one[k].num_pairs);
+      EXPECT_EQ(on_more[k].rmse, on_one[k].rmse);
       EXPECT_EQ(on_more[k].world_from_camera.translation, on_one[k].world_from_camera.translation);
       EXPECT_EQ(on_more[k].world_from_camera.rotation.coeffs(), on_one[k].world_from_camera.rotation.coeffs());
     }
@@ -87,6 +91,19 @@ TEST(Track, GoesOnAfterImagesItCannotUse) {
   EXPECT_EQ(reports[2].problem, "3.png: expected a whole PNG");
   EXPECT_THAT(reports[4].problem, ::testing::HasSubstr("2 x 2 pixels"));
   EXPECT_EQ(reports[2].stamp_s, 2 / 30.0);
+}
+
+TEST(Track, AFrameItCannotUseBelongsToTheSegmentBeforeIt) {
+  std::vector<DepthFrame> frames = moving_frames(4);
+  for (std::size_t k = 0; k < frames.size(); ++k) frames[k].stamp_s += k >= 2 ? 100.0 : 0.0;
+  // Ten frames of another scene lose the camera for good.
+  const DepthImage elsewhere = testing::render(testing::corridor(), testing::kinect_like_camera(kWidth)).depth;
+  for (int k = 0; k < 12; ++k) frames.push_back({200.0 + k, elsewhere, {}});
+  frames.push_back({300.0, {}, "missing"});
+  const std::vector<FrameReport> reports = tracked(std::move(frames), 1);
+  EXPECT_EQ(reports.back().status, FrameStatus::Unreadable);
+  EXPECT_EQ(reports.back().segment, reports[reports.size() - 2].segment);
+  EXPECT_EQ(reports.back().segment, 1);
 }
 
 TEST(Track, WhatTheSourceThrowsReachesTheCaller) {
