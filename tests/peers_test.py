@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Checks what benchmarks/peers computes itself: files of jobs and results, chained motions, their errors. Needs no peer.
+"""Checks what benchmarks/peers computes itself: guesses, files of jobs and results, chained motions, errors, successes.
+Needs no peer.
 
     peers_test.py ROOT
 """
@@ -12,7 +13,9 @@ import numpy as np
 
 sys.path.append(str(Path(sys.argv[1]) / "benchmarks/peers"))
 import jobs
+import cells
 import odometry
+import pairs
 from motions import angle_deg, error, from_axis_angle, from_quaternion, quaternion
 
 STEP = from_axis_angle([1, 2, 3], 0.1)
@@ -72,6 +75,35 @@ def test_absolute_error_forgives_a_rigid_motion_but_no_mirror():
         assert odometry.absolute_error([motion @ pose for pose in truth], truth) < 1e-12
     mirrored = [pose * np.array([[1, 1, 1, -1]]) for pose in truth]
     assert odometry.absolute_error(mirrored, truth) > 0.01
+
+
+def test_lidar_guesses_are_as_far_off_as_they_say():
+    for seed in range(20):
+        job = cells.lidar_job((Path("s.ply"), Path("t.ply"), STEP), 30, seed)
+        off_m, off_deg = error(job.guess, job.truth)
+        assert np.isclose(off_deg, 30) and 0.5 <= off_m <= 2.0
+        assert np.array_equal(job.guess, cells.lidar_job((None, None, STEP), 30, seed).guess)  # the same in every run
+
+
+def result(pose, method="m"):
+    job = jobs.Job("0", Path("s"), Path("t"), STEP, STEP)  # from a perfect guess
+    row = {"peer": "p", "method": method, "pose": pose, "align_ms": "1.5", "preprocess_ms": "2"}
+    return pairs.judged(cells.Cell("c", [job]), job, row)
+
+
+def test_only_a_pose_within_both_limits_is_a_success():
+    near, turned, far = STEP.copy(), STEP @ from_axis_angle([0, 0, 1], np.radians(1.5)), STEP.copy()
+    near[0, 3] += 0.01
+    far[0, 3] += 0.06
+    for pose, expected in ((STEP, [1, 1]), (near, [1, 1]), (turned, [1, 0]), (far, [0, 0]), (None, [0, 0])):
+        assert [pairs.successes([result(pose)], *limits) for limits in pairs.LIMITS] == expected
+    assert np.isclose(result(far)["error_m"], 0.06) and result(None)["error_m"] < 1e-12  # the guess stands
+
+
+def test_tables_count_each_method_in_each_cell():
+    rows = [result(STEP), result(None), result(STEP, "n"), result(None, "n") | {"cell": "d"}]
+    assert pairs.overview(rows) == ["| peer | c | d |", "| --- | --- | --- |", "| p m | 1 | - |", "| p n | 1 | 0 |"]
+    assert pairs.table(rows)[2] == "| c | p m | 1 of 2 | 1 of 2 | 0.0 mm, 0.00 deg | 0.0 mm, 0.00 deg | 2 | 4 |"
 
 
 if __name__ == "__main__":

@@ -33,9 +33,12 @@ def motion_words(motion):
     return " ".join(f"{value:.17g}" for value in (*motion[:3, 3], *quaternion(motion)))
 
 
+def guess_words(job):
+    return "previous" if job.guess is None else motion_words(job.guess)
+
+
 def job_row(job):
-    guess = "previous" if job.guess is None else motion_words(job.guess)
-    return job.pair, job.source, job.target, job.camera, job.depth_scale, guess
+    return job.pair, job.source, job.target, job.camera, job.depth_scale, guess_words(job)
 
 
 def write_jobs(path, jobs):

@@ -2,8 +2,9 @@
 """Frame after frame: the motions a peer finds between neighbouring images, and the trajectory they add up to."""
 import numpy as np
 
-from jobs import run_program
+from cells import Cell
 from motions import error, quaternion
+from pairs import grouped, run_cell, write_results
 from tum_windows import LAG_S
 
 OFFSETS_S = (LAG_S, 0.0)  # both ways of reading the truth
@@ -68,17 +69,19 @@ def line(window, guess, name, numbers):
 
 
 def measure(programs, windows, output, progress):
-    """Lines of a Markdown table; trajectories go to the output folder."""
-    lines = list(HEADER)
+    """Lines of a Markdown table; trajectories and a CSV of the results go to the output folder."""
+    lines, results = list(HEADER), []
     for window in windows:
         for guess_name, guess in GUESSES.items():
-            jobs = [window.job(k, k + 1, guess) for k in range(len(window.frames) - 1)]
+            cell = Cell(f"{window.name} {guess_name}", [window.job(k, k + 1, guess) for k in range(len(window.frames) - 1)])
             for program in programs:
-                rows = run_program(program, jobs)
-                for peer, method in dict.fromkeys((row["peer"], row["method"]) for row in rows):
-                    numbers, poses = summary(window, [row for row in rows if row["method"] == method])
+                rows = run_cell(cell, program)
+                results += rows
+                for (peer, method), of_method in grouped(rows, "peer", "method").items():
+                    numbers, poses = summary(window, of_method)
                     lines.append(line(window, guess_name, f"{peer} {method}", numbers))
-                    file = f"{window.name}_{peer}_{method}_{guess_name.split()[0]}.txt".replace(" ", "_")
+                    file = f"{window.name}_{peer}_{method}_{guess_name}.txt".replace(" ", "_")
                     write_trajectory(output / file, [stamp for stamp, _ in window.frames], poses)
-                progress(f"{window.name}, {guess_name}: {program.name}")
+                progress(f"{cell.name}: {program.name}")
+    write_results(output / "odometry.csv", results)
     return lines

@@ -6,6 +6,7 @@
 #include <opencv2/rgbd/depth.hpp>
 #include <stdexcept>
 
+#include "benchmarks/peers/common/pose.h"
 #include "benchmarks/peers/common/run_peer.h"
 
 namespace augicp::peers {
@@ -33,10 +34,9 @@ cv::Mat matrix_of(const Rigid3& pose) {
 }
 
 std::optional<Rigid3> pose_of(const cv::Mat& matrix) {
-  if (matrix.empty()) return std::nullopt;
   Mat4d pose;
   cv::cv2eigen(matrix, pose);
-  return rigid3_from_matrix(pose);
+  return rigid_or_nothing(pose);
 }
 
 Found run(const Odometry& odometry, const Pair& pair) {
