@@ -52,20 +52,18 @@ def summary(window, rows):
     for offset_s in OFFSETS_S:
         truth = [window.world_from_camera(k, offset_s) for k in range(len(poses))]
         errors.append((*relative_error(poses, truth), absolute_error(poses, truth)))
-    times = [np.median([float(row[field]) for row in rows]) for field in ("preprocess_ms", "align_ms")]
-    return {"errors": errors, "failed": sum(row["pose"] is None for row in rows), "times_ms": times}, poses
+    return {"errors": errors, "failed": sum(row["pose"] is None for row in rows)}, poses
 
 
-HEADER = ["| window | guess | peer | RPE, truth 22 ms earlier | ATE | RPE, truth at the stamp | ATE | failed | ms a pair |",
-          "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+HEADER = ["| window | guess | peer | RPE, truth 22 ms earlier | ATE | RPE, truth at the stamp | ATE | failed |",
+          "| --- | --- | --- | --- | --- | --- | --- | --- |"]
 
 
 def line(window, guess, name, numbers):
     cells = [cell for metres, degrees, ate_m in numbers["errors"]
              for cell in (f"{1000 * metres:.2f} mm, {degrees:.3f} deg", f"{1000 * ate_m:.1f} mm")]
-    preprocess_ms, align_ms = numbers["times_ms"]
     failed = f"{numbers['failed']} of {len(window.frames) - 1}"
-    return f"| {' | '.join([window.name, guess, name, *cells, failed, f'{preprocess_ms:.1f} + {align_ms:.1f}'])} |"
+    return f"| {' | '.join([window.name, guess, name, *cells, failed])} |"
 
 
 def measure(programs, windows, output, progress):
