@@ -18,6 +18,17 @@ def from_axis_angle(axis, angle_rad):
     return from_quaternion(np.zeros(3), np.append(np.sin(angle_rad / 2) * axis, np.cos(angle_rad / 2)))
 
 
+def quaternion(motion):
+    """x y z w of the rotation: the eigenvector that any rotation matrix gives without cases (Bar-Itzhack)."""
+    (a, b, c), (d, e, f), (g, h, i) = motion[:3, :3]
+    k = np.array([[a - e - i, b + d, c + g, h - f],
+                  [b + d, e - a - i, f + h, c - g],
+                  [c + g, f + h, i - a - e, d - b],
+                  [h - f, c - g, d - b, a + e + i]])
+    xyzw = np.linalg.eigh(k)[1][:, -1]
+    return xyzw if xyzw[3] >= 0 else -xyzw
+
+
 def angle_deg(motion):
     r = motion[:3, :3]
     sine = np.linalg.norm([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]])
