@@ -60,7 +60,8 @@ std::vector<BasinCell> run_basin(const Scan& source, const Scan& target, const R
                                  const BasinOptions& options, const std::function<void()>& on_start) {
   options.check();
   const Lengths lengths = lengths_for(source, target, options.registration);
-  const Scan moving = prepare(source, lengths, options.registration), fixed = prepare(target, lengths, options.registration);
+  const Scan moving = prepare(source, lengths, options.registration),
+             fixed = prepare(target, lengths, options.registration);
   const PoseError limit = basin_limit(source, target, options);
   const Vec3d middle = middle_of(source.cloud);
   std::mt19937 generator(options.seed);
@@ -76,8 +77,8 @@ std::vector<BasinCell> run_basin(const Scan& source, const Scan& target, const R
         on_start();
       }
       const auto count = static_cast<double>(options.num_starts);
-      cells.push_back({angle_rad, distance, static_cast<double>(num_success) / count,
-                       static_cast<double>(iterations) / count});
+      cells.push_back(
+          {angle_rad, distance, static_cast<double>(num_success) / count, static_cast<double>(iterations) / count});
     }
   return cells;
 }

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "augicp/geometry/rotation.h"
 #include "augicp/experiment/random.h"
+#include "augicp/geometry/rotation.h"
 
 namespace augicp {
 namespace {

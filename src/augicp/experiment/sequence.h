@@ -45,7 +45,8 @@ struct SequenceCurve {
   Preset preset = Preset::Default;
   Method method = Method::Augmented;
   AlignStatus status = AlignStatus::TooFewPairs;
-  std::vector<Rigid3> path;  // target_from_source: the guess, and after each iteration; a run that had to stop repeats its last
+  std::vector<Rigid3>
+      path;  // target_from_source: the guess, and after each iteration; a run that had to stop repeats its last
 
   std::size_t gap() const { return source - target; }
 };
@@ -53,9 +54,9 @@ struct SequenceCurve {
 // The targets asked for. Throws std::invalid_argument where the sequence is not longer than the largest gap.
 std::vector<std::size_t> chosen_targets(std::size_t num_frames, const SequenceOptions& options);
 
-// In the order of targets, gaps, presets, methods. Surfaces are estimated once a frame and preset and kept while they are
-// needed; the search for pairs is the same for all methods. on_target is called after each target. Throws IoError where
-// an image cannot be read.
+// In the order of targets, gaps, presets, methods. Surfaces are estimated once a frame and preset and kept while they
+// are needed; the search for pairs is the same for all methods. on_target is called after each target. Throws IoError
+// where an image cannot be read.
 std::vector<SequenceCurve> run_sequence(const DepthSequence& sequence, const DepthCamera& camera,
                                         const SequenceOptions& options, const std::function<void()>& on_target);
 

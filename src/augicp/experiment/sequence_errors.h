@@ -18,9 +18,9 @@ std::optional<Rigid3> true_motion(const SequenceCurve& curve, const Trajectory& 
 
 // By how much a sequence's stamps are off its truth's clock.
 struct TimeOffset {
-  double offset_s = 0.0;          // the truth is best read at stamp + offset
-  double spread_s = 0.0;          // largest less smallest of the offsets that three disjoint thirds of the pairs give
-  double median_rotation = 0.0;   // disagreement with it, radians
+  double offset_s = 0.0;         // the truth is best read at stamp + offset
+  double spread_s = 0.0;         // largest less smallest of the offsets that three disjoint thirds of the pairs give
+  double median_rotation = 0.0;  // disagreement with it, radians
   double median_rotation_at_0 = 0.0;
   std::size_t num_pairs = 0;
 };
@@ -29,8 +29,8 @@ struct TimeOffset {
 SequenceOptions time_offset_options(const SequenceOptions& options);
 
 // The offset in [-0.1, 0.1] s with the least angle between registered (the paths' ends) and true rotation, in the mean
-// of the better nine tenths, to 0.1 ms. For curves of a small gap; throws std::invalid_argument where fewer than nine of them have a true motion at all
-// these offsets.
+// of the better nine tenths, to 0.1 ms. For curves of a small gap; throws std::invalid_argument where fewer than nine
+// of them have a true motion at all these offsets.
 TimeOffset find_time_offset(std::span<const SequenceCurve> curves, const Trajectory& truth);
 
 // The errors of all pairs of one kind after one iteration.
@@ -39,8 +39,8 @@ struct SequenceRow {
   std::size_t gap = 0;
   Preset preset = Preset::Default;
   Method method = Method::Augmented;
-  int iteration = 0;          // 0: the guess
-  std::size_t num_pairs = 0;  // with a true motion
+  int iteration = 0;             // 0: the guess
+  std::size_t num_pairs = 0;     // with a true motion
   Spread translation, rotation;  // metres, radians
   double success = 0.0;          // share within 5 cm and 2 degrees
   double success_narrow = 0.0;   // within 2 cm and 1 degree
@@ -48,6 +48,7 @@ struct SequenceRow {
 
 // One row for each kind and iteration; kinds in the order in which they first appear. Kinds without any true motion are
 // left out.
-std::vector<SequenceRow> summarize(std::span<const SequenceCurve> curves, const Trajectory& truth, double time_offset_s);
+std::vector<SequenceRow> summarize(std::span<const SequenceCurve> curves, const Trajectory& truth,
+                                   double time_offset_s);
 
 }  // namespace augicp

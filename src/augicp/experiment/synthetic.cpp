@@ -21,7 +21,8 @@ AlignOptions paper_options(Method method, const SyntheticOptions& options) {
 }
 
 // The loop of section 3.3 without its search: the errors of the guess and after each iteration.
-std::vector<PoseError> run_known_pairs(const KnownPairs& known, const AlignOptions& align, const SyntheticOptions& options) {
+std::vector<PoseError> run_known_pairs(const KnownPairs& known, const AlignOptions& align,
+                                       const SyntheticOptions& options) {
   const Objective objective{with_lever(align.information, *align.lever), *align.kernel_chi2,
                             std::numeric_limits<double>::infinity()};
   Rigid3 pose;
@@ -65,7 +66,8 @@ void append_rows(const KnownPairsOptions& scene, const Errors& errors, const Syn
   for (std::size_t m = 0; m < options.methods.size(); ++m)
     for (int i = 0; i <= options.iterations; ++i)
       rows.push_back({scene.outlier_share, scene.point_noise_m, scene.normal_noise_rad, options.methods[m], i,
-                      over_seeds(errors[m], i, &PoseError::translation), over_seeds(errors[m], i, &PoseError::rotation)});
+                      over_seeds(errors[m], i, &PoseError::translation),
+                      over_seeds(errors[m], i, &PoseError::rotation)});
 }
 
 }  // namespace

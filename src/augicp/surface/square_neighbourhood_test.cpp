@@ -25,7 +25,8 @@ TEST(SquareNeighbourhood, CountsThePointsOfItsSquare) {
     for (int u = 0; u < image.index.width; u += 5) {
       const std::int32_t i = image.index.at(u, v);
       if (i == IndexImage::kNone) continue;
-      const double side = kSquareHalfSide * window.radius * seen.camera.fx / static_cast<double>(image.cloud.points[i].z());
+      const double side =
+          kSquareHalfSide * window.radius * seen.camera.fx / static_cast<double>(image.cloud.points[i].z());
       const int half = std::max(1, static_cast<int>(std::lround(side)));
       int expected = 0;
       for (int y = 0; y < image.index.height; ++y)
