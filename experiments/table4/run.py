@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import figures
 
 HERE = Path(__file__).resolve().parent
-KERNELS = {"k1": ("--points", 30000, "--kernel", 1),
+KERNELS = {"k1": ("--points", 300000, "--kernel", 1),
            "k1000": ("--points", 100000, "--kernel", 1000),
            "k100": ("--points", 100000, "--kernel", 100, "--methods", "gicp,augmented")}
 OUTLIERS, NORMAL_NOISES, POINT_NOISE = (0.0, 50.0, 90.0), (0.0, 5.0, 20.0), 0.01
