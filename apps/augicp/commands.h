@@ -17,6 +17,7 @@ enum ExitCode {
 // Each adds its subcommand; when that was chosen, its exit code is in exit_code after parsing.
 void add_align_command(CLI::App& app, int& exit_code);
 void add_evaluate_command(CLI::App& app, int& exit_code);
+void add_experiment_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_odometry_command(CLI::App& app, int& exit_code);
 void add_surface_command(CLI::App& app, int& exit_code);

@@ -50,6 +50,13 @@ Input read_input(const std::filesystem::path& path, const InputOptions& options)
   return {scan_of(std::move(file.cloud)), std::move(file.report)};
 }
 
+DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for) {
+  if (asked_for.empty() && !sequence.camera)
+    throw std::invalid_argument(fmt::format("{}: which camera? Give --camera: a file, numbers \"fx fy cx cy\" or one of {}",
+                                            folder, fmt::join(camera_names(), " ")));
+  return asked_for.empty() ? *sequence.camera : read_camera(asked_for);
+}
+
 void require_extension(const std::string& output, const std::vector<std::string>& extensions) {
   const bool known = std::find(extensions.begin(), extensions.end(), lower_case_extension(output)) != extensions.end();
   if (output.empty() || known) return;

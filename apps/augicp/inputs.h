@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "augicp/io/cloud_file.h"
+#include "augicp/io/depth_sequence.h"
 #include "augicp/registration/scan.h"
 
 namespace augicp::app {
@@ -27,6 +28,10 @@ struct Input {
 
 // A depth image (.png) or a cloud. Throws IoError, or std::invalid_argument for a depth image without a camera.
 Input read_input(const std::filesystem::path& path, const InputOptions& options);
+
+// The camera asked for, see read_camera, or where none is the sequence's own. Throws std::invalid_argument where that has
+// none; folder is for the message.
+DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for);
 
 // Throws std::invalid_argument unless the output is empty (not asked for) or ends in one of these, before any work is done.
 void require_extension(const std::string& output, const std::vector<std::string>& extensions);

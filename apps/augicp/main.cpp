@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   int exit_code = kSuccess;
   add_align_command(app, exit_code);
   add_evaluate_command(app, exit_code);
+  add_experiment_command(app, exit_code);
   add_info_command(app, exit_code);
   add_odometry_command(app, exit_code);
   add_surface_command(app, exit_code);

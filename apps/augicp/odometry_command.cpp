@@ -9,12 +9,12 @@
 #include <stdexcept>
 
 #include "apps/augicp/commands.h"
+#include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
 #include "apps/augicp/progress.h"
 #include "apps/augicp/report_odometry.h"
 #include "apps/augicp/report_result.h"
 #include "augicp/io/atomic_file.h"
-#include "augicp/io/camera_file.h"
 #include "augicp/io/depth_sequence.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/odometry/track.h"
@@ -42,10 +42,7 @@ fs::path output_folder(const OdometryArguments& arguments) {
 }
 
 DepthCamera camera_for(const DepthSequence& sequence, const OdometryArguments& arguments) {
-  if (arguments.camera.empty() && !sequence.camera)
-    throw std::invalid_argument(fmt::format("{}: which camera? Give --camera: a file, numbers \"fx fy cx cy\" or one of {}",
-                                            arguments.sequence, fmt::join(camera_names(), " ")));
-  DepthCamera camera = arguments.camera.empty() ? *sequence.camera : read_camera(arguments.camera);
+  DepthCamera camera = sequence_camera(sequence, arguments.sequence, arguments.camera);
   camera.readout_s = arguments.readout_s.value_or(camera.readout_s);
   camera.check();
   return camera;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Table 4 of the paper in small: the pairs are known, a share of them is false, and only the objective differs.
-#include "augicp/testing/known_pairs.h"
+#include "augicp/experiment/known_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -23,10 +23,10 @@ constexpr double kReached = 0.02;  // rad
 
 // Mean rotation error over the seeds before the first iteration and after each: one number more than iterations, which
 // are few where few pairs are false.
-std::vector<double> mean_rotation_errors(testing::KnownPairsOptions options, const Objective& objective) {
+std::vector<double> mean_rotation_errors(KnownPairsOptions options, const Objective& objective) {
   std::vector<double> errors(options.outlier_share > 0.5 ? 9 : 5, 0.0);
   for (options.seed = 1; options.seed <= kNumSeeds; ++options.seed) {
-    const testing::KnownPairs known = testing::make_known_pairs(options);
+    const KnownPairs known = make_known_pairs(options);
     const testing::FixedPairs matcher(known.target, known.pairs);
     Rigid3 pose;
     for (double& error : errors) {
@@ -38,7 +38,7 @@ std::vector<double> mean_rotation_errors(testing::KnownPairsOptions options, con
   return errors;
 }
 
-testing::KnownPairsOptions options_with(double outlier_share, double normal_noise_deg = 5.0) {
+KnownPairsOptions options_with(double outlier_share, double normal_noise_deg = 5.0) {
   return {.outlier_share = outlier_share, .point_noise_m = 0.01, .normal_noise_rad = normal_noise_deg * kDegree};
 }
 

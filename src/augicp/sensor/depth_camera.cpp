@@ -17,7 +17,7 @@ struct NamedCamera {
 };
 
 // A Kinect of the first kind reads a frame from top to bottom in about the time between frames. On TUM fr1, 0.8 to 1.2
-// of it serve equally; without it the error per frame is a third larger. Not for 7-Scenes: where images are repeated under
+// of it serve equally; without it the error per frame is up to a third larger. Not for 7-Scenes: where images are repeated under
 // new numbers, the speed between two of them says nothing about either.
 constexpr double kKinectReadout_s = 1.0 / 30.0;
 

@@ -7,7 +7,7 @@
 #include "augicp/cloud/cloud.h"
 #include "augicp/cloud/correspondence.h"
 
-namespace augicp::testing {
+namespace augicp {
 
 struct KnownPairsOptions {
   std::size_t num_points = 20000;
@@ -30,4 +30,4 @@ struct KnownPairs {
 // have noise of their own.
 KnownPairs make_known_pairs(const KnownPairsOptions& options);
 
-}  // namespace augicp::testing
+}  // namespace augicp

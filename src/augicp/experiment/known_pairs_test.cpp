@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/testing/known_pairs.h"
+#include "augicp/experiment/known_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "augicp/testing/matchers.h"
-
-namespace augicp::testing {
+namespace augicp {
 namespace {
 
 Vec3d point_error(const KnownPairs& known, const Correspondence& pair) {
@@ -103,4 +101,4 @@ TEST(KnownPairs, SeedDecidesEverything) {
 TEST(KnownPairs, NoPointsGiveNoPairs) { EXPECT_TRUE(make_known_pairs({.num_points = 0}).pairs.empty()); }
 
 }  // namespace
-}  // namespace augicp::testing
+}  // namespace augicp

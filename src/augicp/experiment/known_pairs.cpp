@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/testing/known_pairs.h"
+#include "augicp/experiment/known_pairs.h"
 
 #include <numbers>
 #include <random>
 
+#include "augicp/experiment/random.h"
 #include "augicp/geometry/rotation.h"
-#include "augicp/testing/poses.h"
 
-namespace augicp::testing {
+namespace augicp {
 namespace {
 
 const Vec3d kHalfSize(5.0, 4.0, 1.5);
@@ -80,4 +80,4 @@ KnownPairs make_known_pairs(const KnownPairsOptions& options) {
   return known;
 }
 
-}  // namespace augicp::testing
+}  // namespace augicp

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The curves of a sequence against its true trajectory.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "augicp/experiment/pose_error.h"
+#include "augicp/experiment/sequence.h"
+#include "augicp/experiment/spread.h"
+
+namespace augicp {
+
+// The true target_from_source of a curve, with the truth read between its poses at the frames' stamps + time_offset_s.
+// Nothing where the truth does not reach or has a hole of more than 0.1 s.
+std::optional<Rigid3> true_motion(const SequenceCurve& curve, const Trajectory& truth, double time_offset_s);
+
+// By how much a sequence's stamps are off its truth's clock.
+struct TimeOffset {
+  double offset_s = 0.0;         // the truth is best read at stamp + offset
+  double spread_s = 0.0;         // largest less smallest of the offsets that three disjoint thirds of the pairs give
+  double median_rotation = 0.0;  // disagreement with it, radians
+  double median_rotation_at_0 = 0.0;
+  std::size_t num_pairs = 0;
+};
+
+// The run that finds the offset of a sequence: up to 100 pairs of neighbouring frames, with the defaults, thinned.
+SequenceOptions time_offset_options(const SequenceOptions& options);
+
+// The offset in [-0.1, 0.1] s with the least angle between registered (the paths' ends) and true rotation, in the mean
+// of the better nine tenths, to 0.1 ms. For curves of a small gap; throws std::invalid_argument where fewer than nine
+// of them have a true motion at all these offsets.
+TimeOffset find_time_offset(std::span<const SequenceCurve> curves, const Trajectory& truth);
+
+// The errors of all pairs of one kind after one iteration.
+struct SequenceRow {
+  double time_offset_s = 0.0;
+  std::size_t gap = 0;
+  Preset preset = Preset::Default;
+  Method method = Method::Augmented;
+  int iteration = 0;             // 0: the guess
+  std::size_t num_pairs = 0;     // with a true motion
+  Spread translation, rotation;  // metres, radians
+  double success = 0.0;          // share within 5 cm and 2 degrees
+  double success_narrow = 0.0;   // within 2 cm and 1 degree
+};
+
+// One row for each kind and iteration; kinds in the order in which they first appear. Kinds without any true motion are
+// left out.
+std::vector<SequenceRow> summarize(std::span<const SequenceCurve> curves, const Trajectory& truth,
+                                   double time_offset_s);
+
+}  // namespace augicp
