@@ -19,7 +19,9 @@ std::optional<PreparedFrame> next_prepared(FrameSource& source, const DepthCamer
                                            const OdometryOptions& options) {
   const std::optional<DepthFrame> frame = source.next();
   if (!frame) return std::nullopt;
-  PreparedFrame prepared{frame->stamp_s, {}, frame->problem};
+  PreparedFrame prepared;
+  prepared.stamp_s = frame->stamp_s;
+  prepared.problem = frame->problem;
   if (!prepared.problem.empty()) return prepared;
   try {
     prepared.scan = prepare_frame(frame->image, camera, options);
