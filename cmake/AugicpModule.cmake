@@ -13,7 +13,10 @@ target_compile_options(augicp_build_flags INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-unknown-warning-option;-Wno-restrict>
   $<$<BOOL:${AUGICP_WARNINGS_AS_ERRORS}>:-Werror>
   # The same bits everywhere: the compiler may not fuse a multiplication and an addition in one build and not in another.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Nobody asks for errno or for the flags of floating-point exceptions; without them loops with roots and choices can be
+  # made of vectors, with the same bits.
+  -fno-math-errno -fno-trapping-math)
 if(AUGICP_SANITIZE)
   target_compile_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
   target_link_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE})

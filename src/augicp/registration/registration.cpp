@@ -2,12 +2,11 @@
 #include "augicp/registration/registration.h"
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/surface/ball_neighbourhood.h"
-#include "augicp/surface/window_neighbourhood.h"
+#include "augicp/surface/window_surface.h"
 
 namespace augicp {
 namespace {
@@ -34,14 +33,16 @@ double feasible_voxel(const Cloud& cloud, double voxel_size) {
   return std::max(voxel_size, bounds(cloud).diagonal() / kCells);
 }
 
-std::unique_ptr<Neighbourhood> neighbourhood_of(const Scan& scan, const Lengths& lengths, int num_threads) {
-  if (!scan.view) {
-    const BallOptions ball{lengths.radius, kMinBallPoints, kMaxBallGrowth * lengths.radius};
-    return std::make_unique<BallNeighbourhood>(scan.cloud, ball, num_threads);
+void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOptions& options) {
+  if (scan.view) {
+    WindowOptions window;
+    window.radius = lengths.radius;
+    estimate_surface(scan.cloud, scan.view->index, window, surface_options(options), options.num_threads);
+    return;
   }
-  WindowOptions window;
-  window.radius = lengths.radius;
-  return std::make_unique<WindowNeighbourhood>(scan.cloud, scan.view->index, window, num_threads);
+  const BallOptions ball{lengths.radius, kMinBallPoints, kMaxBallGrowth * lengths.radius};
+  estimate_surface(scan.cloud, BallNeighbourhood(scan.cloud, ball, options.num_threads), surface_options(options),
+                   options.num_threads);
 }
 
 bool is_projective(const Scan& target, Association association) {
@@ -61,8 +62,7 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
   if (scan.cloud.has_directions()) return scan;
-  const auto neighbourhood = neighbourhood_of(scan, lengths, options.num_threads);
-  estimate_surface(scan.cloud, *neighbourhood, surface_options(options), options.num_threads);
+  estimate_surface(scan, lengths, options);
   return scan;
 }
 

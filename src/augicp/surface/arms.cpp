@@ -7,14 +7,6 @@
 #include "augicp/core/check.h"
 
 namespace augicp {
-namespace {
-
-bool is_step(const Vec3f& a, const Vec3f& b, int pixels_between, double max_step_per_depth) {
-  const double allowed = max_step_per_depth * std::min(a.z(), b.z()) * pixels_between;
-  return std::abs(static_cast<double>(a.z()) - static_cast<double>(b.z())) > allowed;
-}
-
-}  // namespace
 
 void check(const WindowOptions& options) {
   require_positive("radius", options.radius);
@@ -22,8 +14,8 @@ void check(const WindowOptions& options) {
   require_positive("max_step_per_depth", options.max_step_per_depth);
 }
 
-double ball_radius(const Vec3f& point, const WindowOptions& options) {
-  return std::max(options.radius, options.radius_per_depth * static_cast<double>(point.z()));
+double ball_radius(float depth, const WindowOptions& options) {
+  return std::max(options.radius, options.radius_per_depth * static_cast<double>(depth));
 }
 
 Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, int which, double max_step_per_depth) {
@@ -34,7 +26,7 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
     const std::int32_t point = along_rows ? index.at(k, which) : index.at(which, k);
     if (point == IndexImage::kNone) continue;
     if (!line.point.empty() &&
-        is_step(cloud.points[line.point.back()], cloud.points[point], k - line.position.back(), max_step_per_depth))
+        is_step(cloud.points[line.point.back()].z(), cloud.points[point].z(), k - line.position.back(), max_step_per_depth))
       ++run;
     line.position.push_back(k);
     line.point.push_back(point);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,8 +18,15 @@ inline constexpr double kSquareHalfSide = 0.886226925452758;
 // Throws std::invalid_argument where an option is out of bounds.
 void check(const WindowOptions& options);
 
-// The radius of the ball around a point of a depth image.
-double ball_radius(const Vec3f& point, const WindowOptions& options);
+// The radius of the ball around a point of a depth image at this depth, metres.
+double ball_radius(float depth, const WindowOptions& options);
+
+// Whether a depth discontinuity lies between two readings of a line, neighbours but for missing ones between them. Their
+// depths, metres.
+inline bool is_step(float a, float b, int pixels_between, double max_step_per_depth) {
+  const double allowed = max_step_per_depth * std::min(a, b) * pixels_between;
+  return std::abs(static_cast<double>(a) - static_cast<double>(b)) > allowed;
+}
 
 // The pixels of one row or column that hold a point, in order, cut into runs without a discontinuity.
 struct Line {

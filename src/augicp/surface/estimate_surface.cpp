@@ -115,10 +115,6 @@ void find_creases(std::vector<Shape>& shapes, const std::vector<NormalSpread>& s
   });
 }
 
-void towards(const Vec3f& viewpoint, const Vec3f& point, Vec3f& normal) {
-  if (normal.dot(viewpoint - point) < 0.0f) normal = -normal;
-}
-
 void store(const std::vector<Shape>& shapes, Cloud& cloud) {
   cloud.directions.resize(cloud.size());
   cloud.structures.resize(cloud.size());
@@ -126,7 +122,7 @@ void store(const std::vector<Shape>& shapes, Cloud& cloud) {
     cloud.structures[i] = shapes[i].structure;
     cloud.directions[i] = shapes[i].direction.cast<float>();
     if (shapes[i].structure == Structure::Planar && cloud.viewpoint)
-      towards(*cloud.viewpoint, cloud.points[i], cloud.directions[i]);
+      point_towards(*cloud.viewpoint, cloud.points[i], cloud.directions[i]);
   }
 }
 

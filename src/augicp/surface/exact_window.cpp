@@ -81,7 +81,7 @@ ExactWindowNeighbourhood::ExactWindowNeighbourhood(const Cloud& cloud, const Ind
           const std::int32_t centre = index.index[pixel];
           if (centre == IndexImage::kNone) continue;
           const int u = static_cast<int>(pixel) % index.width, v = static_cast<int>(pixel) / index.width;
-          collect(cloud, index, runs, u, v, ball_radius(cloud.points[centre], options), neighbours_[centre]);
+          collect(cloud, index, runs, u, v, ball_radius(cloud.points[centre].z(), options), neighbours_[centre]);
         }
       },
       kPointsPerBlock);

@@ -15,22 +15,18 @@ Eigen3 eigen_of_symmetric(const Mat3d& matrix) {
 Shape shape_of_points(const Gaussian& points, const Eigen3& eigen, const ShapeThresholds& thresholds) {
   const Vec3d& l = eigen.values;
   if (points.count < thresholds.min_points || !(l[2] > 0.0)) return {};
-  if (l[0] < thresholds.max_planar_curvature * l.sum() && l[1] >= thresholds.max_line_ratio * l[2])
-    return {Structure::Planar, eigen.vectors.col(0)};
-  // "One eigenvalue smaller than the other two" covers both the wire, where two are small beside l2, and the
-  // right-angle crease (0.035, 0.125, 0.25); a corner has all three alike. Half way between crease and corner, l1 / l2
-  // is 3/4.
-  if (l[1] < 0.75 * l[2]) return {Structure::Edge, eigen.vectors.col(2)};
-  return {};
+  const Structure structure = structure_of_points(l[0], l[1], l[2], thresholds);
+  if (structure == Structure::None) return {};
+  return {structure, eigen.vectors.col(structure == Structure::Planar ? 0 : 2)};
 }
 
 Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const Vec3d& line_of_sight,
                      const ShapeThresholds& thresholds) {
   const Vec3d& l = eigen.values;
   if (points.count < thresholds.min_points || !(l[2] > 0.0)) return {};
-  const bool along_sight = std::abs(eigen.vectors.col(2).dot(line_of_sight)) > std::cos(thresholds.min_line_to_sight);
-  if (l[1] < thresholds.max_line_ratio * l[2] && !along_sight) return {Structure::Edge, eigen.vectors.col(2)};
-  if (l[0] > thresholds.max_thickness * l[1]) return {};
+  const Vec3d line = eigen.vectors.col(2);
+  if (is_line(l[1], l[2], thresholds) && !is_along(line, line_of_sight, thresholds)) return {Structure::Edge, line};
+  if (is_thick(l[0], l[1], thresholds)) return {};
   return {Structure::Planar, eigen.vectors.col(0)};
 }
 

@@ -2,6 +2,8 @@
 // From sums over a neighbourhood to the structure of a point (section 4.1): plain numbers in, plain numbers out.
 #pragma once
 
+#include <cmath>
+
 #include "augicp/cloud/cloud.h"
 #include "augicp/core/types.h"
 
@@ -48,6 +50,25 @@ struct ShapeThresholds {
   double max_corner = 0.02;
 };
 
+// The rules on eigenvalues l0 <= l1 <= l2 by themselves, for double and float.
+template <typename Number>
+bool is_line(Number l1, Number l2, const ShapeThresholds& thresholds) {
+  return l1 < static_cast<Number>(thresholds.max_line_ratio) * l2;
+}
+template <typename Number>
+bool is_thick(Number l0, Number l1, const ShapeThresholds& thresholds) {
+  return l0 > static_cast<Number>(thresholds.max_thickness) * l1;
+}
+template <typename Number>
+Structure structure_of_points(Number l0, Number l1, Number l2, const ShapeThresholds& thresholds) {
+  const bool flat = l0 < static_cast<Number>(thresholds.max_planar_curvature) * (l0 + l1 + l2);
+  if (flat && !is_line(l1, l2, thresholds)) return Structure::Planar;
+  // "One eigenvalue smaller than the other two" covers both the wire, where two are small beside l2, and the
+  // right-angle crease (0.035, 0.125, 0.25); a corner has all three alike. Half way between crease and corner, l1 / l2
+  // is 3/4.
+  return l1 < static_cast<Number>(0.75) * l2 ? Structure::Edge : Structure::None;
+}
+
 // The paper's reading: of the points' eigenvalues alone. Directions are the eigenvectors.
 struct Shape {
   Structure structure = Structure::None;
@@ -55,11 +76,21 @@ struct Shape {
 };
 Shape shape_of_points(const Gaussian& points, const Eigen3& eigen, const ShapeThresholds& thresholds);
 
+// Whether a line, a unit vector, is too close to the line of sight to be believed; false where that is unknown (zero).
+inline bool is_along(const Vec3d& line, const Vec3d& line_of_sight, const ShapeThresholds& thresholds) {
+  return std::abs(line.dot(line_of_sight)) > std::cos(thresholds.min_line_to_sight);
+}
+
 // Ours, in three steps of which each looks at the same neighbourhood.
 //
 // First, the points give a line, or a normal, or neither. The line of sight is a unit vector; zero where it is unknown.
 Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const Vec3d& line_of_sight,
                      const ShapeThresholds& thresholds);
+
+// Turns the normal of a point to the side from which it was seen.
+inline void point_towards(const Vec3f& viewpoint, const Vec3f& point, Vec3f& normal) {
+  if (normal.dot(viewpoint - point) < 0.0f) normal = -normal;
+}
 
 // Second, the normals around a point, all orthogonal to the tangent of a crease, say how far they spread around it, and
 // whether they spread along it too, as in a corner.

@@ -37,7 +37,7 @@ SquareNeighbourhood::SquareNeighbourhood(const Cloud& cloud, const IndexImage& i
   const double largest = std::max(index.width, index.height);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const double depth = static_cast<double>(cloud.points[i].z());
-    const double side = kSquareHalfSide * ball_radius(cloud.points[i], options) * focal_length / depth;
+    const double side = kSquareHalfSide * ball_radius(cloud.points[i].z(), options) * focal_length / depth;
     half_side_px_[i] = static_cast<std::int32_t>(std::lround(std::clamp(side, 1.0, largest)));
   }
 }

@@ -11,7 +11,7 @@ constexpr std::size_t kLinesPerBlock = 8;
 
 std::vector<double> half_sides(const Cloud& cloud, const WindowOptions& options) {
   std::vector<double> sides(cloud.size());
-  for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = kSquareHalfSide * ball_radius(cloud.points[i], options);
+  for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = kSquareHalfSide * ball_radius(cloud.points[i].z(), options);
   return sides;
 }
 

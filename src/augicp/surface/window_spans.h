@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "augicp/cloud/cloud.h"
+#include "augicp/cloud/index_image.h"
+#include "augicp/surface/window_neighbourhood.h"
+
+namespace augicp {
+
+// The pixels [begin, end) of a row or column.
+struct Span {
+  std::uint16_t begin = 0, end = 0;
+  bool operator==(const Span&) const = default;
+};
+
+// The arms of WindowNeighbourhood, one entry a pixel, row-major: how far a pixel's window reaches in its own row and
+// column. Empty where no point is seen.
+struct WindowSpans {
+  int width = 0;
+  int height = 0;
+  std::vector<Span> in_row, in_column;
+};
+
+// As WindowNeighbourhood, which tests compare it with. Throws std::invalid_argument where an option is out of bounds or
+// a side of the image is longer than 65535 pixels.
+WindowSpans window_spans(const Cloud& cloud, const IndexImage& index, const WindowOptions& options, int num_threads);
+
+}  // namespace augicp
