@@ -25,11 +25,6 @@ PairFilter::PairFilter(const Cloud& source, const Cloud& target, const Rigid3& t
       same_structure_(gates.same_structure && source.has_directions() && target.has_directions()),
       signed_normals_(normals_have_signs(source, target)) {}
 
-bool PairFilter::passes(std::uint32_t source_index, const Vec3f& moved_source, std::uint32_t target_index) const {
-  if (!((target_.points[target_index] - moved_source).squaredNorm() <= max_distance_sq_)) return false;
-  return directions_agree(source_index, target_index);
-}
-
 bool PairFilter::directions_agree(std::uint32_t source_index, std::uint32_t target_index) const {
   if (!compares_angles_ && !same_structure_) return true;
   const Structure of_source = source_.structures[source_index], of_target = target_.structures[target_index];

@@ -16,7 +16,10 @@ class PairFilter {
   float max_distance_sq() const { return max_distance_sq_; }
 
   // All gates; the distance is measured from the moved source point.
-  bool passes(std::uint32_t source_index, const Vec3f& moved_source, std::uint32_t target_index) const;
+  bool passes(std::uint32_t source_index, const Vec3f& moved_source, std::uint32_t target_index) const {
+    if (!((target_.points[target_index] - moved_source).squaredNorm() <= max_distance_sq_)) return false;
+    return directions_agree(source_index, target_index);
+  }
 
  private:
   bool directions_agree(std::uint32_t source_index, std::uint32_t target_index) const;

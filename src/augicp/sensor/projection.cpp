@@ -5,9 +5,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <vector>
 
 #include "augicp/core/parallel.h"
+#include "augicp/core/vectorized.h"
 
 namespace augicp {
 namespace {
@@ -17,11 +18,64 @@ namespace {
 using Key = std::uint64_t;
 constexpr Key kEmpty = std::numeric_limits<Key>::max();
 
-Key key_of(float depth, std::uint32_t index) { return static_cast<Key>(std::bit_cast<std::uint32_t>(depth)) << 32 | index; }
+Key key_of(float depth, std::uint32_t index) {
+  return static_cast<Key>(std::bit_cast<std::uint32_t>(depth)) << 32 | index;
+}
 
-void keep_smaller(std::atomic<Key>& cell, Key key) {
-  Key present = cell.load(std::memory_order_relaxed);
-  while (key < present && !cell.compare_exchange_weak(present, key, std::memory_order_relaxed)) {
+// Exchanging costs as much as the rest of the projection, and one thread alone need not.
+void keep_smaller(Key& cell, Key key, bool alone) {
+  if (alone) {
+    if (key < cell) cell = key;
+    return;
+  }
+  const std::atomic_ref<Key> shared(cell);
+  Key present = shared.load(std::memory_order_relaxed);
+  while (key < present && !shared.compare_exchange_weak(present, key, std::memory_order_relaxed)) {
+  }
+}
+
+// What a point's place in the image depends on, as float.
+struct View {
+  float rotation[9];  // row by row
+  float translation[3];
+  float fx, fy, cx, cy;
+  float width, height;
+};
+
+View view_of(const Rigid3& camera_from_points, const Pinhole& camera, int width, int height) {
+  View view{};
+  const Mat3d rotation = camera_from_points.rotation.toRotationMatrix();
+  for (int i = 0; i < 9; ++i) view.rotation[i] = static_cast<float>(rotation(i / 3, i % 3));
+  for (int i = 0; i < 3; ++i) view.translation[i] = static_cast<float>(camera_from_points.translation[i]);
+  view.fx = static_cast<float>(camera.fx), view.fy = static_cast<float>(camera.fy);
+  view.cx = static_cast<float>(camera.cx), view.cy = static_cast<float>(camera.cy);
+  view.width = static_cast<float>(width), view.height = static_cast<float>(height);
+  return view;
+}
+
+// The points of a block in the image: row, column and depth; row -1 where a point is not in it.
+struct Projected {
+  std::int32_t u[kBlockSize], v[kBlockSize];
+  float depth[kBlockSize];
+};
+
+// xyz: three numbers a point.
+AUGICP_VECTORIZED void project_block(const float* __restrict xyz, std::size_t count, const View& __restrict view,
+                                     Projected& __restrict projected) {
+  const float* const r = view.rotation;
+  const float* const t = view.translation;
+  for (std::size_t k = 0; k < count; ++k) {
+    const float px = xyz[3 * k], py = xyz[3 * k + 1], pz = xyz[3 * k + 2];
+    const float x = r[0] * px + r[1] * py + r[2] * pz + t[0];
+    const float y = r[3] * px + r[4] * py + r[5] * pz + t[1];
+    const float z = r[6] * px + r[7] * py + r[8] * pz + t[2];
+    // Adding a half and flooring rounds to the pixel; written as comparisons first, so that huge values never reach the
+    // conversion to int.
+    const float u = view.fx * x / z + view.cx + 0.5f, v = view.fy * y / z + view.cy + 0.5f;
+    const bool inside = (z > 0.0f) & (u >= 0.0f) & (v >= 0.0f) & (u < view.width) & (v < view.height);
+    projected.u[k] = static_cast<std::int32_t>(inside ? u : 0.0f);
+    projected.v[k] = static_cast<std::int32_t>(inside ? v : -1.0f);
+    projected.depth[k] = z;
   }
 }
 
@@ -30,28 +84,21 @@ void keep_smaller(std::atomic<Key>& cell, Key key) {
 IndexImage project(const Cloud& cloud, const Rigid3& camera_from_points, const Pinhole& camera, int width, int height,
                    int num_threads) {
   IndexImage seen(width, height);
-  const auto cells = std::make_unique<std::atomic<Key>[]>(seen.index.size());
-  for (std::size_t i = 0; i < seen.index.size(); ++i) cells[i].store(kEmpty, std::memory_order_relaxed);
-  const Eigen::Matrix3f rotation = camera_from_points.rotation.toRotationMatrix().cast<float>();
-  const Vec3f translation = camera_from_points.translation.cast<float>();
-  const float fx = static_cast<float>(camera.fx), fy = static_cast<float>(camera.fy);
-  const float cx = static_cast<float>(camera.cx), cy = static_cast<float>(camera.cy);
+  std::vector<Key> cells(seen.index.size(), kEmpty);
+  const View view = view_of(camera_from_points, camera, width, height);
+  static_assert(sizeof(Vec3f) == 3 * sizeof(float));
   for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    Projected projected;
+    project_block(cloud.points[begin].data(), end - begin, view, projected);
     for (std::size_t i = begin; i < end; ++i) {
-      const Vec3f q = rotation * cloud.points[i] + translation;
-      if (!(q.z() > 0.0f)) continue;
-      // Adding a half and flooring rounds to the pixel; written as comparisons first, so that huge values never reach
-      // the conversion to int.
-      const float u = fx * q.x() / q.z() + cx + 0.5f, v = fy * q.y() / q.z() + cy + 0.5f;
-      if (!(u >= 0.0f && v >= 0.0f && u < static_cast<float>(width) && v < static_cast<float>(height))) continue;
-      const std::size_t pixel = static_cast<std::size_t>(v) * width + static_cast<std::size_t>(u);
-      keep_smaller(cells[pixel], key_of(q.z(), static_cast<std::uint32_t>(i)));
+      const std::int32_t u = projected.u[i - begin], v = projected.v[i - begin];
+      if (v < 0) continue;
+      keep_smaller(cells[static_cast<std::size_t>(v) * width + u],
+                   key_of(projected.depth[i - begin], static_cast<std::uint32_t>(i)), num_threads == 1);
     }
   });
-  for (std::size_t i = 0; i < seen.index.size(); ++i) {
-    const Key key = cells[i].load(std::memory_order_relaxed);
-    if (key != kEmpty) seen.index[i] = static_cast<std::int32_t>(key & 0xffffffffu);
-  }
+  for (std::size_t i = 0; i < cells.size(); ++i)  // what is left empty has all bits set, which is kNone
+    seen.index[i] = static_cast<std::int32_t>(cells[i] & 0xffffffffu);
   return seen;
 }
 
