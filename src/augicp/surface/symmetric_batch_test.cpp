@@ -56,7 +56,8 @@ std::vector<Vec3d> spectra(std::mt19937& generator) {
   std::vector<Vec3d> all;
   for (const double size : {1e-6, 1e-3, 1.0, 1e6}) {
     for (const double thin : {0.0, 1e-9, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 1.0})
-      for (const double wide : {1e-4, 1e-2, 0.1, 0.3, 0.9, 0.9999, 1.0}) all.push_back(size * Vec3d(thin * wide, wide, 1.0));
+      for (const double wide : {1e-4, 1e-2, 0.1, 0.3, 0.9, 0.9999, 1.0})
+        all.push_back(size * Vec3d(thin * wide, wide, 1.0));
     for (int k = 0; k < 200; ++k) {
       Vec3d values(uniform(generator, 0, 1), uniform(generator, 0, 1), uniform(generator, 0, 1));
       std::sort(values.data(), values.data() + 3);

@@ -35,7 +35,8 @@ WindowOptions options_with(double radius, double radius_per_depth) {
 TEST(WindowSpans, AreTheArms) {
   for (const double sigma_at_1m : {0.0, kKinectSigmaAt1m, 0.02})
     for (const Scene& scene : {box_on_table(), wire(), depth_step(), room()})
-      for (const WindowOptions& options : {options_with(0.05, 0.0), options_with(0.01, 0.04), options_with(10.0, 0.0)}) {
+      for (const WindowOptions& options :
+           {options_with(0.05, 0.0), options_with(0.01, 0.04), options_with(10.0, 0.0)}) {
         const OrganizedCloud seen = seen_with_holes(scene, sigma_at_1m);
         const std::vector<Arms> arms = WindowNeighbourhood(seen.cloud, seen.index, options, 0).arms();
         const WindowSpans spans = window_spans(seen.cloud, seen.index, options, 0);

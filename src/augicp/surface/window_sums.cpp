@@ -6,7 +6,8 @@
 namespace augicp {
 namespace {
 
-// Sixteen bytes at a time, which every machine can: compilers do not find these by themselves. Arrays need no alignment.
+// Sixteen bytes at a time, which every machine can: compilers do not find these by themselves. Arrays need no
+// alignment.
 template <typename Number>
 struct Lanes;
 template <>
@@ -45,8 +46,8 @@ void accumulate_channels(const Number* values, int count, Number* prefix) {
 
 // Pixels of either kind fill their vectors.
 template <typename Number>
-void add_numbers(const Number* a, const Number* b, int count, Number* sum) {
-  for (int k = 0; k < count; k += Lanes<Number>::kCount) store(load(a + k) + load(b + k), sum + k);
+void add_numbers(const Number* numbers, int count, Number* sum) {
+  for (int k = 0; k < count; k += Lanes<Number>::kCount) store(load(numbers + k) + load(sum + k), sum + k);
 }
 
 template <int kChannels, typename Number>
@@ -98,8 +99,8 @@ void accumulate(const float* values, int count, float* prefix, DirectionMoments)
   accumulate_channels<DirectionMoments::kChannels>(values, count, prefix);
 }
 
-void add(const double* a, const double* b, int count, double* sum) { add_numbers(a, b, count, sum); }
-void add(const float* a, const float* b, int count, float* sum) { add_numbers(a, b, count, sum); }
+void add(const double* numbers, int count, double* sum) { add_numbers(numbers, count, sum); }
+void add(const float* numbers, int count, float* sum) { add_numbers(numbers, count, sum); }
 
 void differences(const double* prefix, const Span* spans, int count, double* sums, PointMoments) {
   row_differences<PointMoments::kChannels>(prefix, spans, count, sums);

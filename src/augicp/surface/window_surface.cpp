@@ -176,10 +176,10 @@ void WindowSurface::shapes_of(std::size_t v, std::size_t u, int count, const Sum
 }
 
 void WindowSurface::find_shapes() {
-  const auto in_rows = sums_over_rows<PointMoments>(
+  auto in_rows = sums_over_rows<PointMoments>(
       spans_, num_threads_, [&](std::size_t v, double* channels) { return write_points(v, channels); });
   sum_over_columns<PointMoments>(
-      spans_, in_rows.get(), num_threads_, [](std::size_t, std::size_t, int) { return true; },
+      spans_, std::move(in_rows), num_threads_, [](std::size_t, std::size_t, int) { return true; },
       [&](std::size_t v, std::size_t u, int count, const auto& sums) { shapes_of(v, u, count, sums); });
 }
 
@@ -257,12 +257,12 @@ void WindowSurface::find_creases() {
   auto in_rows = sums_over_rows<DirectionMoments>(
       spans_, num_threads_, [&](std::size_t v, float* channels) { return write_normals(v, channels); });
   sum_over_columns<DirectionMoments>(
-      spans_, in_rows.get(), num_threads_, everywhere,
+      spans_, std::move(in_rows), num_threads_, everywhere,
       [&](std::size_t v, std::size_t u, int count, const auto& sums) { spreads_of(v, u, count, sums); });
-  in_rows = sums_over_rows<DirectionMoments>(
+  auto tangents_in_rows = sums_over_rows<DirectionMoments>(
       spans_, num_threads_, [&](std::size_t v, float* channels) { return write_tangents(v, channels); });
   sum_over_columns<DirectionMoments>(
-      spans_, in_rows.get(), num_threads_,
+      spans_, std::move(tangents_in_rows), num_threads_,
       [&](std::size_t v, std::size_t u, int count) { return may_be_creases(v, u, count); },
       [&](std::size_t v, std::size_t u, int count, const auto& sums) { creases_of(v, u, count, sums); });
 }

@@ -66,14 +66,16 @@ Differences differences(const Cloud& a, const Cloud& b, double max_angle_deg) {
 TEST(WindowSurface, EqualsThePlainWayButForRounding) {
   for (const Classifier classifier : {Classifier::Normals, Classifier::Eigenvalues})
     for (const double sigma_at_1m : {0.0, kKinectSigmaAt1m, 0.01})
-      for (const Scene& scene : {box_on_table(), wire(), depth_step(), room_corner(), sphere_scene(), cylinder_scene()}) {
+      for (const Scene& scene :
+           {box_on_table(), wire(), depth_step(), room_corner(), sphere_scene(), cylinder_scene()}) {
         const OrganizedCloud seen = seen_in(scene, 320, sigma_at_1m, 0.05);
         SurfaceOptions options;
         options.classifier = classifier;
         const Differences found = differences(fast(seen, 0.05, options), plain(seen, 0.05, options), 0.1);
         const double count = static_cast<double>(seen.cloud.size());
         EXPECT_LE(static_cast<double>(found.structures), 5e-4 * count);
-        // On what little is seen of steep surfaces the points lie almost on a line, and float leaves the normal less sure.
+        // On what little is seen of steep surfaces the points lie almost on a line, and float leaves the normal less
+        // sure.
         EXPECT_LE(static_cast<double>(found.directions), 2e-3 * count);
       }
 }
