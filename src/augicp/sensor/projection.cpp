@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/sensor/projection.h"
 
-#include <atomic>
+#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -14,24 +13,12 @@ namespace augicp {
 namespace {
 
 // A z-buffer cell: depth in the upper half, index in the lower. Positive floats order as their bits do, so that the
-// smallest key is the nearest point, and among equals the lowest index, in whatever order threads come.
+// smallest key is the nearest point, and among equals the lowest index.
 using Key = std::uint64_t;
 constexpr Key kEmpty = std::numeric_limits<Key>::max();
 
-Key key_of(float depth, std::uint32_t index) {
+Key key_of(float depth, std::size_t index) {
   return static_cast<Key>(std::bit_cast<std::uint32_t>(depth)) << 32 | index;
-}
-
-// Exchanging costs as much as the rest of the projection, and one thread alone need not.
-void keep_smaller(Key& cell, Key key, bool alone) {
-  if (alone) {
-    if (key < cell) cell = key;
-    return;
-  }
-  const std::atomic_ref<Key> shared(cell);
-  Key present = shared.load(std::memory_order_relaxed);
-  while (key < present && !shared.compare_exchange_weak(present, key, std::memory_order_relaxed)) {
-  }
 }
 
 // What a point's place in the image depends on, as float.
@@ -53,17 +40,18 @@ View view_of(const Rigid3& camera_from_points, const Pinhole& camera, int width,
   return view;
 }
 
-// The points of a block in the image: row, column and depth; row -1 where a point is not in it.
+// Where a point is seen: its pixel, negative outside the image, and its depth.
 struct Projected {
-  std::int32_t u[kBlockSize], v[kBlockSize];
-  float depth[kBlockSize];
+  std::vector<std::int32_t> pixel;
+  std::vector<float> depth;
 };
 
 // xyz: three numbers a point.
 AUGICP_VECTORIZED void project_block(const float* __restrict xyz, std::size_t count, const View& __restrict view,
-                                     Projected& __restrict projected) {
+                                     std::int32_t* __restrict pixel, float* __restrict depth) {
   const float* const r = view.rotation;
   const float* const t = view.translation;
+  const auto width = static_cast<std::int32_t>(view.width);
   for (std::size_t k = 0; k < count; ++k) {
     const float px = xyz[3 * k], py = xyz[3 * k + 1], pz = xyz[3 * k + 2];
     const float x = r[0] * px + r[1] * py + r[2] * pz + t[0];
@@ -73,9 +61,10 @@ AUGICP_VECTORIZED void project_block(const float* __restrict xyz, std::size_t co
     // conversion to int.
     const float u = view.fx * x / z + view.cx + 0.5f, v = view.fy * y / z + view.cy + 0.5f;
     const bool inside = (z > 0.0f) & (u >= 0.0f) & (v >= 0.0f) & (u < view.width) & (v < view.height);
-    projected.u[k] = static_cast<std::int32_t>(inside ? u : 0.0f);
-    projected.v[k] = static_cast<std::int32_t>(inside ? v : -1.0f);
-    projected.depth[k] = z;
+    const auto column = static_cast<std::int32_t>(inside ? u : 0.0f),
+               row = static_cast<std::int32_t>(inside ? v : -1.0f);
+    pixel[k] = row * width + column;
+    depth[k] = z;
   }
 }
 
@@ -84,19 +73,19 @@ AUGICP_VECTORIZED void project_block(const float* __restrict xyz, std::size_t co
 IndexImage project(const Cloud& cloud, const Rigid3& camera_from_points, const Pinhole& camera, int width, int height,
                    int num_threads) {
   IndexImage seen(width, height);
-  std::vector<Key> cells(seen.index.size(), kEmpty);
   const View view = view_of(camera_from_points, camera, width, height);
   static_assert(sizeof(Vec3f) == 3 * sizeof(float));
+  Projected projected{std::vector<std::int32_t>(cloud.size()), std::vector<float>(cloud.size())};
   for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-    Projected projected;
-    project_block(cloud.points[begin].data(), end - begin, view, projected);
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::int32_t u = projected.u[i - begin], v = projected.v[i - begin];
-      if (v < 0) continue;
-      keep_smaller(cells[static_cast<std::size_t>(v) * width + u],
-                   key_of(projected.depth[i - begin], static_cast<std::uint32_t>(i)), num_threads == 1);
-    }
+    project_block(cloud.points[begin].data(), end - begin, view, &projected.pixel[begin], &projected.depth[begin]);
   });
+  // On one thread: it takes less time than threads would need to exchange keys without losing one.
+  std::vector<Key> cells(seen.index.size(), kEmpty);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (projected.pixel[i] < 0) continue;
+    Key& cell = cells[static_cast<std::size_t>(projected.pixel[i])];
+    cell = std::min(cell, key_of(projected.depth[i], i));
+  }
   for (std::size_t i = 0; i < cells.size(); ++i)  // what is left empty has all bits set, which is kNone
     seen.index[i] = static_cast<std::int32_t>(cells[i] & 0xffffffffu);
   return seen;
