@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "augicp/core/check.h"
+#include "augicp/core/vectorized.h"
 
 namespace augicp {
 namespace {
@@ -17,8 +19,8 @@ struct NamedCamera {
 };
 
 // A Kinect of the first kind reads a frame from top to bottom in about the time between frames. On TUM fr1, 0.8 to 1.2
-// of it serve equally; without it the error per frame is up to a third larger. Not for 7-Scenes: where images are repeated under
-// new numbers, the speed between two of them says nothing about either.
+// of it serve equally; without it the error per frame is up to a third larger. Not for 7-Scenes: where images are
+// repeated under new numbers, the speed between two of them says nothing about either.
 constexpr double kKinectReadout_s = 1.0 / 30.0;
 
 // TUM RGB-D: the data set's published calibrations of the colour camera, whose lens the depth, registered to colour,
@@ -27,33 +29,53 @@ constexpr double kKinectReadout_s = 1.0 / 30.0;
 constexpr std::array<NamedCamera, 6> kCameras{{
     {"tum-default", {{525.0, 525.0, 319.5, 239.5, 640, 480}, {}, kKinectReadout_s}},
     {"tum-fr1", {{517.3, 516.5, 318.6, 255.3, 640, 480}, {0.2624, -0.9531, -0.0054, 0.0026, 1.1633}, kKinectReadout_s}},
-    {"tum-fr2", {{520.9, 521.0, 325.1, 249.7, 640, 480}, {0.2312, -0.7849, -0.0033, -0.0001, 0.9172}, kKinectReadout_s}},
+    {"tum-fr2",
+     {{520.9, 521.0, 325.1, 249.7, 640, 480}, {0.2312, -0.7849, -0.0033, -0.0001, 0.9172}, kKinectReadout_s}},
     {"tum-fr3", {{535.4, 539.2, 320.1, 247.6, 640, 480}, {}, kKinectReadout_s}},
     {"7scenes", {{585.0, 585.0, 320.0, 240.0, 640, 480}, {}, 0.0}},
     {"primesense", {{525.0, 525.0, 319.5, 239.5, 640, 480}, {}, 0.0}},
 }};
 
-// The pixel a coordinate falls on, -1 outside; comparisons first, so that huge values never reach the conversion.
-int pixel_at(double coordinate, int size) {
-  const double rounded = coordinate + 0.5;
-  return rounded >= 0.0 && rounded < size ? static_cast<int>(rounded) : -1;
+struct Seen {
+  double x, y;
+};
+inline Seen distorted(const Distortion& d, double x, double y) {
+  const double r_sq = x * x + y * y;
+  const double radial = 1.0 + r_sq * (d.k1 + r_sq * (d.k2 + r_sq * d.k3));
+  return {x * radial + 2.0 * d.p1 * x * y + d.p2 * (r_sq + 2.0 * x * x),
+          y * radial + d.p1 * (r_sq + 2.0 * y * y) + 2.0 * d.p2 * x * y};
+}
+
+// For a row of width pixels of the ideal image, where in the camera's images each is seen: row-major, -1 outside.
+AUGICP_VECTORIZED void find_row(const DepthCamera& camera, const Pinhole& ideal, int v, int width,
+                                std::int32_t* __restrict place) {
+  const Pinhole pinhole = camera.pinhole;
+  const Distortion lens = camera.distortion;
+  const double image_width = pinhole.width, image_height = pinhole.height, y = (v - ideal.cy) / ideal.fy;
+  for (int u = 0; u < width; ++u) {
+    const Seen seen = distorted(lens, (u - ideal.cx) / ideal.fx, y);
+    // The pixel that a coordinate falls on; comparisons first, so that huge values never reach the conversion.
+    const double column = pinhole.fx * seen.x + pinhole.cx + 0.5, row = pinhole.fy * seen.y + pinhole.cy + 0.5;
+    const bool inside = (column >= 0.0) & (column < image_width) & (row >= 0.0) & (row < image_height);
+    place[u] = static_cast<std::int32_t>(inside ? row : 0.0) * pinhole.width +
+               static_cast<std::int32_t>(inside ? column : 0.0);
+    place[u] = inside ? place[u] : -1;
+  }
 }
 
 }  // namespace
 
 Eigen::Vector2d Distortion::operator()(const Eigen::Vector2d& ideal) const {
-  const double x = ideal.x(), y = ideal.y(), r_sq = ideal.squaredNorm();
-  const double radial = 1.0 + r_sq * (k1 + r_sq * (k2 + r_sq * k3));
-  return {x * radial + 2.0 * p1 * x * y + p2 * (r_sq + 2.0 * x * x),
-          y * radial + p1 * (r_sq + 2.0 * y * y) + 2.0 * p2 * x * y};
+  const Seen seen = distorted(*this, ideal.x(), ideal.y());
+  return {seen.x, seen.y};
 }
 
 void DepthCamera::check() const {
   pinhole.check();
   constexpr double kMaxCoefficient = 100.0;
-  for (const auto& [name, value] : {std::pair{"k1", distortion.k1}, std::pair{"k2", distortion.k2},
-                                    std::pair{"p1", distortion.p1}, std::pair{"p2", distortion.p2},
-                                    std::pair{"k3", distortion.k3}})
+  for (const auto& [name, value] :
+       {std::pair{"k1", distortion.k1}, std::pair{"k2", distortion.k2}, std::pair{"p1", distortion.p1},
+        std::pair{"p2", distortion.p2}, std::pair{"k3", distortion.k3}})
     require(std::abs(value) <= kMaxCoefficient, name, value, "must be from -100 to 100");
   require(readout_s >= 0.0 && readout_s <= 1.0, "readout_s", readout_s, "must be from 0 to 1 s");
 }
@@ -73,8 +95,8 @@ std::vector<std::string> camera_names() {
 Pinhole thinned(const Pinhole& camera, int step) {
   require(step >= 1, "step", step, "must be at least 1");
   const double scale = 1.0 / step;
-  return {camera.fx * scale, camera.fy * scale, camera.cx * scale, camera.cy * scale, camera.width / step,
-          camera.height / step};
+  return {camera.fx * scale, camera.fy * scale,   camera.cx * scale,
+          camera.cy * scale, camera.width / step, camera.height / step};
 }
 
 DepthImage rectify(const DepthImage& image, const DepthCamera& camera, int step) {
@@ -82,15 +104,16 @@ DepthImage rectify(const DepthImage& image, const DepthCamera& camera, int step)
   check_size(image, camera.pinhole);
   if (step == 1 && camera.distortion.is_none()) return image;
   const Pinhole seen_by = thinned(camera.pinhole, step);
+  DepthCamera whole = camera;  // whose images' size may be unknown
+  whole.pinhole.width = image.width, whole.pinhole.height = image.height;
   DepthImage result{image.width / step, image.height / step, {}};
-  result.depth.reserve(static_cast<std::size_t>(result.width) * result.height);
+  result.depth.resize(static_cast<std::size_t>(result.width) * result.height);
+  std::vector<std::int32_t> place(static_cast<std::size_t>(result.width));
+  float* depth = result.depth.data();
   for (int v = 0; v < result.height; ++v) {
-    for (int u = 0; u < result.width; ++u) {
-      const Eigen::Vector2d seen = camera.distortion({(u - seen_by.cx) / seen_by.fx, (v - seen_by.cy) / seen_by.fy});
-      const int from_u = pixel_at(camera.pinhole.fx * seen.x() + camera.pinhole.cx, image.width);
-      const int from_v = pixel_at(camera.pinhole.fy * seen.y() + camera.pinhole.cy, image.height);
-      result.depth.push_back(from_u < 0 || from_v < 0 ? std::numeric_limits<float>::quiet_NaN() : image.at(from_u, from_v));
-    }
+    find_row(whole, seen_by, v, result.width, place.data());
+    for (const std::int32_t from : place)
+      *depth++ = from < 0 ? std::numeric_limits<float>::quiet_NaN() : image.depth[from];
   }
   return result;
 }
