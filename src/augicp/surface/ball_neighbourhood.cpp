@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::size_t kPointsPerBlock = 256;
 
-// In index order: sums then do not depend on the shape of the tree.
-void sort_by_index(std::vector<Neighbour>& found) {
-  std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
-}
-
 void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& options,
                      std::vector<Neighbour>& found) {
   const auto radius_sq = static_cast<float>(options.radius * options.radius);
@@ -25,7 +20,29 @@ void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& 
     found = tree.nearest_k(point, options.min_points);
     std::erase_if(found, [&](const Neighbour& n) { return !(n.distance_sq < max_radius_sq); });
   }
-  sort_by_index(found);
+}
+
+// In index order: sums then do not depend on the shape of the tree.
+void append_sorted(const std::vector<Neighbour>& found, std::vector<std::uint32_t>& neighbours) {
+  const auto first = static_cast<std::ptrdiff_t>(neighbours.size());
+  for (const Neighbour& n : found) neighbours.push_back(n.index);
+  std::sort(neighbours.begin() + first, neighbours.end());
+}
+
+// As many rows as the compiler knows, so that a sum stays in registers.
+template <int kRows>
+using Rows = Eigen::Map<const Eigen::Array<double, kRows, Eigen::Dynamic>>;
+
+template <int kRows>
+void sum_of_neighbours(const Channels& values, const std::vector<std::size_t>& first_of,
+                       const std::vector<std::uint32_t>& neighbours, std::size_t begin, std::size_t end,
+                       Channels& sums) {
+  const Rows<kRows> columns(values.data(), values.rows(), values.cols());
+  for (std::size_t i = begin; i < end; ++i) {
+    Eigen::Array<double, kRows, 1> sum = Eigen::Array<double, kRows, 1>::Zero(values.rows());
+    for (std::size_t k = first_of[i]; k < first_of[i + 1]; ++k) sum += columns.col(neighbours[k]);
+    sums.col(static_cast<Eigen::Index>(i)) = sum;
+  }
 }
 
 }  // namespace
@@ -45,7 +62,7 @@ BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& opti
         for (std::size_t i = begin; i < end; ++i) {
           find_neighbours(tree, cloud.points[i], options, found);
           begin_[i + 1] = found.size();
-          for (const Neighbour& n : found) neighbours.push_back(n.index);
+          append_sorted(found, neighbours);
         }
       },
       kPointsPerBlock);
@@ -55,11 +72,16 @@ BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& opti
 }
 
 Channels BallNeighbourhood::sum(const Channels& values, int num_threads) const {
-  Channels sums = Channels::Zero(values.rows(), values.cols());
+  Channels sums(values.rows(), values.cols());
   for_each_block(static_cast<std::size_t>(values.cols()), num_threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-        sums.col(static_cast<Eigen::Index>(i)) += values.col(neighbours_[k]);
+    switch (values.rows()) {
+      case 7:
+        return sum_of_neighbours<7>(values, begin_, neighbours_, begin, end, sums);
+      case 10:
+        return sum_of_neighbours<10>(values, begin_, neighbours_, begin, end, sums);
+      default:
+        return sum_of_neighbours<Eigen::Dynamic>(values, begin_, neighbours_, begin, end, sums);
+    }
   });
   return sums;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/surface/estimate_surface.h"
 
+#include <algorithm>
+
 #include "augicp/core/parallel.h"
 
 namespace augicp {
@@ -84,16 +86,22 @@ std::vector<Shape> shapes_of_points(const Cloud& cloud, const Neighbourhood& nei
   return shapes;
 }
 
-// Second step. Zero for lines, and where too few neighbours have a normal.
+// An upper bound of the sum of the two smaller eigenvalues of a mean outer product, without finding them: they sum to 1,
+// and the largest is at least the sum of their squares.
+double largest_spread(const Mat3d& mean_outer_normal) { return 1.0 - mean_outer_normal.squaredNorm(); }
+
+// Second step. Zero for lines, where too few neighbours have a normal, and where normals agree too well for a crease.
 std::vector<NormalSpread> normal_spreads(const std::vector<Shape>& shapes, const Neighbourhood& neighbourhood,
                                          const ShapeThresholds& thresholds, int num_threads) {
   const Channels sums = neighbourhood.sum(normal_moments(shapes), num_threads);
+  const double least = std::min(thresholds.min_crease, thresholds.clear_crease);
   std::vector<NormalSpread> spreads(shapes.size());
   for_each_block(shapes.size(), num_threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto column = sums.col(static_cast<Eigen::Index>(i));
       if (shapes[i].structure == Structure::Edge || column[0] < thresholds.min_points) continue;
-      spreads[i] = spread_of_normals(unpack(column.segment<6>(1)) / column[0]);
+      const Mat3d mean_outer_normal = unpack(column.segment<6>(1)) / column[0];
+      if (largest_spread(mean_outer_normal) >= least) spreads[i] = spread_of_normals(mean_outer_normal);
     }
   });
   return spreads;
