@@ -268,8 +268,8 @@ void WindowSurface::find_creases() {
 }
 
 void WindowSurface::store(Cloud& cloud) const {
-  cloud.directions.resize(cloud.size());
-  cloud.structures.resize(cloud.size());
+  cloud.directions.assign(cloud.size(), Vec3f::Zero());  // so they stay where a point has no pixel
+  cloud.structures.assign(cloud.size(), Structure::None);
   for (std::size_t pixel = 0; pixel < index_.index.size(); ++pixel) {
     const std::int32_t i = index_.index[pixel];
     if (i == IndexImage::kNone) continue;

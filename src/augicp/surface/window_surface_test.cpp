@@ -116,6 +116,17 @@ TEST(WindowSurface, EmptyImagesAndSinglePixels) {
   EXPECT_EQ(pixel.directions[0], Vec3f(Vec3f::Zero()));
 }
 
+TEST(WindowSurface, PointsWithoutAPixelHaveNoStructure) {
+  OrganizedCloud seen = seen_in(single_plane(), 40, 0.0, 0.0);
+  seen.index.index[0] = IndexImage::kNone;
+  seen.cloud.directions.assign(seen.cloud.size(), Vec3f::UnitX());
+  seen.cloud.structures.assign(seen.cloud.size(), Structure::Edge);
+  const Cloud found = fast(seen, 0.3);
+  EXPECT_EQ(found.structures[0], Structure::None);
+  EXPECT_EQ(found.directions[0], Vec3f(Vec3f::Zero()));
+  EXPECT_EQ(found.structures[1], Structure::Planar);
+}
+
 TEST(WindowSurface, RefusesBadOptions) {
   OrganizedCloud nothing;
   EXPECT_THROW(estimate_surface(nothing.cloud, nothing.index, options_with(0.0), {}, 1), std::invalid_argument);
