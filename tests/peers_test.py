@@ -108,7 +108,8 @@ def test_area_is_the_mean_over_the_cells():
     rows = [of_cell("m", STEP, angle) for angle in starts.ANGLES_DEG] + [of_cell("n", None, 10)]
     counts = starts.counted(scene(np.eye(3)), rows)
     assert counts["p", "m"] == [1] * 6 and counts["p", "n"] == [0]
-    assert starts.table(scene(np.eye(3)), {("p", "m"): [2, 2, 2, 1, 0, 0]}, 2)[4] == "| p m | 2 | 2 | 2 | 1 | 0 | 0 | 0.58 |"
+    lines = starts.table(scene(np.eye(3)), {("p", "m"): [2, 2, 2, 1, 0, 0]}, 2)
+    assert lines[4] == "| p m | 2 | 2 | 2 | 1 | 0 | 0 | 0.58 |"
 
 
 def result(pose, method="m"):
@@ -128,8 +129,18 @@ def test_only_a_pose_within_both_limits_is_a_success():
 
 def test_tables_count_each_method_in_each_cell():
     rows = [result(STEP), result(None), result(STEP, "n"), result(None, "n") | {"cell": "d"}]
-    assert pairs.overview(rows) == ["| peer | c | d |", "| --- | --- | --- |", "| p m | 1 | - |", "| p n | 1 | 0 |"]
+    assert pairs.overview(rows) == ["| peer | c | d |", "| --- | --- | --- |", "| p m | 1 / 1 | - |", "| p n | 1 / 1 | 0 / 0 |"]
     assert pairs.table(rows)[2] == "| c | p m | 1 of 2 | 1 of 2 | 0.0 mm, 0.00 deg | 0.0 mm, 0.00 deg | 2 | 4 |"
+
+
+def test_windows_are_pooled_by_gap():
+    of_cell = lambda cell, pose: result(pose) | {"cell": cell}
+    far = STEP.copy()
+    far[0, 3] += 0.06
+    lines = pairs.errors_and_times([of_cell("a gap 1", STEP), of_cell("b gap 1", STEP), of_cell("c gap 1", far),
+                                    of_cell("a gap 10", far)])
+    assert lines[0] == "| peer | gap 1 | gap 10 | ms | ms with preprocessing |"
+    assert lines[2] == "| p m | 20.0 mm, 0.00 deg / 0.0 mm, 0.00 deg | 60.0 mm, 0.00 deg / 60.0 mm, 0.00 deg | 2 | 4 |"
 
 
 if __name__ == "__main__":
