@@ -34,8 +34,11 @@ def rotations(table, **kind):
 
 SYNTHETIC = ("synthetic", "--points", 5000, "--seeds", 3, "--iterations", 8, "--outliers-percent", 50, "--point-noise", 0.01,
              "--normal-noise-deg", 5, "--kernel", 1000)
-SEQUENCE = ("sequence", DESK, "--camera", "tum-fr1", "--gaps", "1,10", "--pairs", 5, "--pixel-step", 4, "--presets", "paper",
-            "--time-offset", -0.03)
+PAPER = ("sequence", DESK, "--camera", "tum-fr1", "--pixel-step", 4, "--presets", "paper", "--time-offset", -0.03)
+SEQUENCE = (*PAPER, "--gaps", "1,10", "--pairs", 5)
+
+
+ONE_GAP = (*PAPER, "--gaps", 1, "--pairs", 3, "--methods", "gicp,augmented")
 
 
 class ExperimentTest(unittest.TestCase):
@@ -56,6 +59,31 @@ class ExperimentTest(unittest.TestCase):
         for i in (2, 3, 4):
             self.assertLess(augmented[i], gicp[i], i)
 
+    def test_what_the_preset_chooses_can_be_chosen_by_hand(self):
+        for by_hand in (("--kernel", 1), ("--lever", 1), ("--classifier", "eigenvalues"), ("--damping", 1e-6)):
+            self.assertEqual(run(*ONE_GAP, *by_hand).stdout, run(*ONE_GAP).stdout, by_hand)
+
+    def test_kernel_and_classifier_change_every_method(self):
+        """A classifier reaches GICP through the information of each structure."""
+        as_is = rows(*ONE_GAP)
+        for by_hand in (("--kernel", 100), ("--classifier", "normals")):
+            changed = rows(*ONE_GAP, *by_hand)
+            for method in ("gicp", "augmented"):
+                self.assertNotEqual(rotations(changed, method=method), rotations(as_is, method=method), by_hand)
+
+    def test_lever_is_that_of_directions_alone(self):
+        """GICP compares none, and without a lever augmented is GICP."""
+        as_is, shorter, none = rows(*ONE_GAP), rows(*ONE_GAP, "--lever", 0.2), rows(*ONE_GAP, "--lever", 0)
+        self.assertEqual(rotations(shorter, method="gicp"), rotations(as_is, method="gicp"))
+        self.assertNotEqual(rotations(shorter, method="augmented"), rotations(as_is, method="augmented"))
+        self.assertEqual(rotations(none, method="augmented"), rotations(none, method="gicp"))
+
+    def test_damping_holds_back(self):
+        as_is, damped, stuck = (rotations(rows(*ONE_GAP, "--damping", damping), method="augmented") for damping in (0, 1, 1e9))
+        self.assertLess(as_is[1], damped[1])
+        self.assertLess(damped[1], damped[0])
+        self.assertAlmostEqual(stuck[-1], stuck[0], 4)
+
     def test_repeats_bit_for_bit(self):
         for words in (SYNTHETIC, (*SEQUENCE, "--methods", "augmented"),
                       ("basin", ROOM / "source.ply", ROOM / "target.ply", "--truth", ROOM / "T_target_source.txt",
@@ -71,6 +99,9 @@ class ExperimentTest(unittest.TestCase):
         cases = ((2, ()), (0, ("--help",)), (2, ("synthetic", "--outliers-percent", 120)), (2, ("sequence", DESK)),
                  (2, ("sequence", DESK, "--camera", "tum-fr1", "--gaps", 40)),
                  (2, ("sequence", DESK, "--camera", "tum-fr1", "--time-offset", "nan")),
+                 (2, ("sequence", DESK, "--camera", "tum-fr1", "--lever", "nan")),
+                 (2, ("sequence", DESK, "--camera", "tum-fr1", "--kernel", 0)),
+                 (2, ("sequence", DESK, "--camera", "tum-fr1", "--classifier", "curvature")),
                  (3, ("sequence", DESK / "nowhere", "--camera", "tum-fr1")),
                  (3, ("basin", ROOM / "source.ply", ROOM / "nothing.ply")))
         for code, words in cases:

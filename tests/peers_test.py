@@ -16,6 +16,7 @@ import jobs
 import cells
 import odometry
 import pairs
+import starts
 from motions import angle_deg, error, from_axis_angle, from_quaternion, quaternion
 
 STEP = from_axis_angle([1, 2, 3], 0.1)
@@ -37,11 +38,11 @@ def test_quaternion_gives_the_rotation_back():
 def test_jobs_are_written_as_the_programs_read_them():
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "jobs.csv"
-        sequence = jobs.Job("0-1", Path("b.png"), Path("a.png"), STEP, None, "tum-fr1", 5000)
-        jobs.write_jobs(path, [sequence, jobs.Job("x", Path("s.ply"), Path("t.ply"), STEP, np.eye(4))])
-        assert path.read_text() == ("pair,source,target,camera,depth_scale,guess\n"
-                                    "0-1,b.png,a.png,tum-fr1,5000,previous\n"
-                                    "x,s.ply,t.ply,-,0.0,0 0 0 0 0 0 1\n")
+        sequence = jobs.Job("0-1", Path("b.png"), Path("a.png"), STEP, None, "depth", "tum-fr1", 5000)
+        jobs.write_jobs(path, [sequence, jobs.Job("x", Path("s.ply"), Path("t.ply"), STEP, np.eye(4), "lidar")])
+        assert path.read_text() == ("pair,source,target,scene,camera,depth_scale,guess\n"
+                                    "0-1,b.png,a.png,depth,tum-fr1,5000,previous\n"
+                                    "x,s.ply,t.ply,lidar,-,0.0,0 0 0 0 0 0 1\n")
 
 
 def test_results_tell_a_pose_from_none():
@@ -85,8 +86,34 @@ def test_lidar_guesses_are_as_far_off_as_they_say():
         assert np.array_equal(job.guess, cells.lidar_job((None, None, STEP), 30, seed).guess)  # the same in every run
 
 
+def scene(points):
+    return starts.Scene("s", Path("s"), Path("t"), STEP, points, (0.1, 3.0))
+
+
+def test_starts_turn_about_the_targets_centroid_and_move_by_up_to_half_its_extent():
+    points = np.random.default_rng(3).normal(size=(500, 3)) + [5, 0, 0]
+    at_centroid = np.append(points.mean(axis=0), 1)
+    moved_m = []
+    for seed in range(20):
+        job = starts.start(scene(points), 30, seed)
+        assert np.isclose(error(job.guess, job.truth)[1], 30)
+        moved = job.guess @ np.linalg.inv(job.truth) @ at_centroid - at_centroid
+        moved_m.append(np.linalg.norm(moved))
+        assert np.array_equal(job.guess, starts.start(scene(points), 30, seed).guess)  # the same for every peer
+    assert max(moved_m) <= starts.half_extent_m(points) and np.ptp(moved_m) > 0.5
+
+
+def test_area_is_the_mean_over_the_cells():
+    of_cell = lambda method, pose, angle: result(pose, method) | {"cell": f"{angle} deg"}
+    rows = [of_cell("m", STEP, angle) for angle in starts.ANGLES_DEG] + [of_cell("n", None, 10)]
+    counts = starts.counted(scene(np.eye(3)), rows)
+    assert counts["p", "m"] == [1] * 6 and counts["p", "n"] == [0]
+    lines = starts.table(scene(np.eye(3)), {("p", "m"): [2, 2, 2, 1, 0, 0]}, 2)
+    assert lines[4] == "| p m | 2 | 2 | 2 | 1 | 0 | 0 | 0.58 |"
+
+
 def result(pose, method="m"):
-    job = jobs.Job("0", Path("s"), Path("t"), STEP, STEP)  # from a perfect guess
+    job = jobs.Job("0", Path("s"), Path("t"), STEP, STEP, "lidar")  # from a perfect guess
     row = {"peer": "p", "method": method, "pose": pose, "align_ms": "1.5", "preprocess_ms": "2"}
     return pairs.judged(cells.Cell("c", [job]), job, row)
 
@@ -102,8 +129,18 @@ def test_only_a_pose_within_both_limits_is_a_success():
 
 def test_tables_count_each_method_in_each_cell():
     rows = [result(STEP), result(None), result(STEP, "n"), result(None, "n") | {"cell": "d"}]
-    assert pairs.overview(rows) == ["| peer | c | d |", "| --- | --- | --- |", "| p m | 1 | - |", "| p n | 1 | 0 |"]
+    assert pairs.overview(rows) == ["| peer | c | d |", "| --- | --- | --- |", "| p m | 1 / 1 | - |", "| p n | 1 / 1 | 0 / 0 |"]
     assert pairs.table(rows)[2] == "| c | p m | 1 of 2 | 1 of 2 | 0.0 mm, 0.00 deg | 0.0 mm, 0.00 deg | 2 | 4 |"
+
+
+def test_windows_are_pooled_by_gap():
+    of_cell = lambda cell, pose: result(pose) | {"cell": cell}
+    far = STEP.copy()
+    far[0, 3] += 0.06
+    lines = pairs.errors_and_times([of_cell("a gap 1", STEP), of_cell("b gap 1", STEP), of_cell("c gap 1", far),
+                                    of_cell("a gap 10", far)])
+    assert lines[0] == "| peer | gap 1 | gap 10 | ms | ms with preprocessing |"
+    assert lines[2] == "| p m | 20.0 mm, 0.00 deg / 0.0 mm, 0.00 deg | 60.0 mm, 0.00 deg / 60.0 mm, 0.00 deg | 2 | 4 |"
 
 
 if __name__ == "__main__":

@@ -90,10 +90,26 @@ void add_method(CLI::App& command, SequenceOptions& options) {
   command.add_option("--surroundings", options.surroundings,
                      "Surfaces from: window of 3D size (default), square of pixels as in the paper, exact ball (slow)")
       ->transform(CLI::CheckedTransformer(kSurroundings).description("{window,square,ball}"))->group(group);
-  command.add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")->group(group);
+  RegistrationOptions& registration = options.registration;
+  command.add_option("--radius", registration.radius, "Ball for surface statistics, metres (default: derived)")
+      ->group(group);
   command.add_option("--iterations", options.iterations, "Exactly so many")->capture_default_str()->group(group);
-  command.add_option("--threads", options.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()->group(group);
+  command.add_option("--threads", registration.num_threads, "0: all; the result is the same for any number")
+      ->capture_default_str()
+      ->group(group);
+}
+
+// A row of the paper's table with one thing changed.
+void add_overrides(CLI::App& command, RegistrationOptions& registration) {
+  const std::string group = "Instead of what the presets choose";
+  command.add_option("--kernel", registration.kernel_chi2, "K of Eq. (13), in units of chi2")->group(group);
+  command.add_option("--lever", registration.lever, "How directions weigh beside positions, metres; 1: Table 2")
+      ->group(group);
+  command.add_option("--damping", registration.damping, "lambda of Eq. (10), as a part of H's mean diagonal")
+      ->group(group);
+  command.add_option("--classifier", registration.classifier, "Structure from normals or from the points' eigenvalues")
+      ->transform(CLI::CheckedTransformer(kClassifiers).description("{normals,eigenvalues}"))
+      ->group(group);
 }
 
 }  // namespace
@@ -105,6 +121,7 @@ void add_sequence_experiment(CLI::App& experiment, int& exit_code) {
       ->required();
   add_input(*command, *arguments);
   add_method(*command, arguments->options);
+  add_overrides(*command, arguments->options.registration);
   add_experiment_output(*command, arguments->output);
   command->add_option("--curves", arguments->curves, "Write the errors of every single registration as CSV")->group("Output");
   command->footer(
@@ -112,7 +129,7 @@ void add_sequence_experiment(CLI::App& experiment, int& exit_code) {
       "Examples:\n"
       "  augicp experiment sequence rgbd_dataset_freiburg1_desk --camera tum-fr1 --output table3.csv\n"
       "  augicp experiment sequence rgbd_dataset_freiburg1_360 --camera tum-fr1 --pairs 30 --time-offset 0,auto\n"
-      "  augicp experiment sequence chess/seq-01 --gaps 10 --presets paper --surroundings square --curves curves.csv");
+      "  augicp experiment sequence chess/seq-01 --gaps 10 --presets paper --lever 0.2 --curves curves.csv");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

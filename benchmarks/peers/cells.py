@@ -32,7 +32,7 @@ def lidar_job(scans, angle_deg, seed):
     """The truth disturbed about the sensor: an angle about a random axis, and a random distance in a random direction."""
     source, target, truth = scans
     distance_m = np.random.default_rng((seed, angle_deg)).uniform(*DISTANCES_M)
-    return Job(str(seed), source, target, truth, disturbed(truth, np.zeros(3), angle_deg, distance_m, seed))
+    return Job(str(seed), source, target, truth, disturbed(truth, np.zeros(3), angle_deg, distance_m, seed), "lidar")
 
 
 def lidar_cells(data, num_starts):

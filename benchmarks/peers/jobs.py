@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "experiments/results"))  # motions, scans: read truth here as for docs/results.md
+sys.path.insert(0, str(ROOT / "experiments/results"))  # motions, scans, ply: read truth here as for docs/results.md
 from motions import from_quaternion, quaternion
 
-JOB_FIELDS = ("pair", "source", "target", "camera", "depth_scale", "guess")
+JOB_FIELDS = ("pair", "source", "target", "scene", "camera", "depth_scale", "guess")
 POSE_FIELDS = ("tx", "ty", "tz", "qx", "qy", "qz", "qw")
 
 
@@ -25,6 +25,7 @@ class Job:
     target: Path
     truth: np.ndarray  # T_target_source; stays here
     guess: np.ndarray | None  # T_target_source; None: what the peer found for the job before
+    scene: str  # by its name each peer finds its settings
     camera: str = "-"  # clouds have none
     depth_scale: float = 0.0
 
@@ -38,7 +39,7 @@ def guess_words(job):
 
 
 def job_row(job):
-    return job.pair, job.source, job.target, job.camera, job.depth_scale, guess_words(job)
+    return job.pair, job.source, job.target, job.scene, job.camera, job.depth_scale, guess_words(job)
 
 
 def write_jobs(path, jobs):

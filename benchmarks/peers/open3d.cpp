@@ -5,6 +5,8 @@
 #include <open3d/pipelines/registration/GeneralizedICP.h>
 #include <open3d/pipelines/registration/Registration.h>
 
+#include <map>
+
 #include "benchmarks/peers/common/pose.h"
 #include "benchmarks/peers/common/run_peer.h"
 
@@ -20,8 +22,11 @@ struct Settings {
   double max_distance;
   double max_distance_gicp;
 };
-constexpr Settings kForDepthImages{0.02, 0.1, 0.1};
-constexpr Settings kForLidar{0.25, 1.0, 5.0};
+const std::map<std::string, Settings> kSettings{{"depth", {0.02, 0.1, 0.1}},
+                                                {"lidar", {0.25, 1.0, 5.0}},
+                                                {"car", {0.25, 2.0, 5.0}},
+                                                {"redkitchen", {0.05, 0.1, 0.5}},
+                                                {"bunny", {0.002, 0.01, 0.01}}};
 
 registration::ICPConvergenceCriteria criteria() {
   registration::ICPConvergenceCriteria criteria;
@@ -57,7 +62,7 @@ registration::RegistrationResult gicp(const Points& source, const Points& target
 
 template <typename Register>
 Found run(const Pair& pair, const Register& register_points) {
-  const Settings& settings = pair.camera ? kForDepthImages : kForLidar;
+  const Settings& settings = kSettings.at(pair.scene);
   const Points raw_source = points_of(pair.source), raw_target = points_of(pair.target);
   Found found;
   Stopwatch watch;

@@ -70,13 +70,36 @@ def table(rows):
 
 
 def overview(rows):
-    """Successes by the wider limits: a line for each method, a column for each cell."""
+    """Successes by the wider and the narrower limits: a line for each method, a column for each cell."""
     cells = [cell for cell, in grouped(rows, "cell")]
     lines = ["| peer | " + " | ".join(cells) + " |", "| --- |" + " --- |" * len(cells)]
     for (peer, method), group in grouped(rows, "peer", "method").items():
         of_cell = grouped(group, "cell")
-        counts = [str(successes(of_cell[cell,], *LIMITS[0])) if (cell,) in of_cell else "-" for cell in cells]
+        counts = [" / ".join(str(successes(of_cell[cell,], *limits)) for limits in LIMITS) if (cell,) in of_cell else "-"
+                  for cell in cells]
         lines.append(f"| {peer} {method} | " + " | ".join(counts) + " |")
+    return lines
+
+
+def kind(row):
+    """What cells of different windows share, the last two words of their names: gap 10."""
+    return " ".join(row["cell"].split()[-2:])
+
+
+def errors_and_times(rows):
+    """A line for each method: errors, a column for each kind of cells; median processor times of all pairs."""
+    kinds = list(dict.fromkeys(map(kind, rows)))
+    lines = ["| peer | " + " | ".join(kinds) + " | ms | ms with preprocessing |", "| --- |" + " --- |" * (len(kinds) + 2)]
+    for (peer, method), group in grouped(rows, "peer", "method").items():
+        cells = []
+        for name in kinds:
+            of_kind = [row for row in group if kind(row) == name]
+            averages = [(1000 * average(column(of_kind, "error_m")), average(column(of_kind, "error_deg")))
+                        for average in (np.mean, np.median)]
+            cells.append(" / ".join(f"{mm:.1f} mm, {deg:.2f} deg" for mm, deg in averages) if of_kind else "-")
+        align_ms, preprocess_ms = column(group, "align_ms"), column(group, "preprocess_ms")
+        cells += [f"{np.median(align_ms):.0f}", f"{np.median(align_ms + preprocess_ms):.0f}"]
+        lines.append(f"| {peer} {method} | {' | '.join(cells)} |")
     return lines
 
 
@@ -89,4 +112,5 @@ def measure(programs, cells, csv_path, progress):
             progress(f"{cell.name}: {program.name}")
     write_results(csv_path, rows)
     count = len(cells[0].jobs)
-    return [f"Within 5 cm and 2 deg, of {count}:", "", *overview(rows), "", *table(rows)]
+    return [f"Within 5 cm and 2 deg / within 2 cm and 1 deg, of {count}:", "", *overview(rows), "",
+            "Errors, mean / median:", "", *errors_and_times(rows), "", *table(rows)]

@@ -5,6 +5,8 @@
 #include <pcl/registration/icp.h>
 #include <pcl/registration/ndt.h>
 
+#include <map>
+
 #include "benchmarks/peers/common/pose.h"
 #include "benchmarks/peers/common/run_peer.h"
 #include "benchmarks/peers/pcl_points.h"
@@ -21,13 +23,17 @@ struct Settings {
   float voxel;
   double max_distance;
   double max_distance_gicp;
+  double gicp_gradient;  // ends its inner solver; PCL's 0.01 ends it at once on something as small as the bunny
   float ndt_cell;
   double ndt_step;
 };
-constexpr Settings kForDepthImages{0.02f, 0.1, 0.1, 0.25f, 0.3};
-constexpr Settings kForLidar{0.25f, 1.0, 3.0, 2.0f, 0.6};
+const std::map<std::string, Settings> kSettings{{"depth", {0.02f, 0.1, 0.1, 0.01, 0.25f, 0.3}},
+                                                {"lidar", {0.25f, 1.0, 3.0, 0.01, 2.0f, 0.6}},
+                                                {"car", {0.25f, 5.0, 5.0, 0.01, 4.0f, 1.0}},
+                                                {"redkitchen", {0.05f, 0.1, 0.5, 0.01, 0.5f, 0.3}},
+                                                {"bunny", {0.002f, 0.01, 0.05, 1e-4, 0.02f, 0.02}}};
 
-const Settings& settings_for(const Pair& pair) { return pair.camera ? kForDepthImages : kForLidar; }
+const Settings& settings_for(const Pair& pair) { return kSettings.at(pair.scene); }
 
 // What PCL keeps to itself.
 template <typename Registration>
@@ -92,6 +98,8 @@ Found run_gicp(const Pair& pair) {
   OpenedGicp gicp;
   give_clouds(gicp, thinned(raw_source, settings.voxel), thinned(raw_target, settings.voxel));
   gicp.compute_both_covariances();
+  gicp.setTranslationGradientTolerance(settings.gicp_gradient);
+  gicp.setRotationGradientTolerance(settings.gicp_gradient);
   gicp.setMaxCorrespondenceDistance(settings.max_distance_gicp);
   return align(gicp, pair.guess, watch);
 }

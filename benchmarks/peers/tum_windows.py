@@ -28,4 +28,4 @@ class Window:
 
     def job(self, target, source, guess):
         return Job(f"{target}-{source}", self.frames[source][1], self.frames[target][1],
-                   self.truth(target, source, LAG_S), guess, CAMERA, DEPTH_SCALE)
+                   self.truth(target, source, LAG_S), guess, "depth", CAMERA, DEPTH_SCALE)

@@ -13,23 +13,23 @@
 namespace augicp::peers {
 namespace {
 
-constexpr std::string_view kHeader = "pair,source,target,camera,depth_scale,guess";
+constexpr std::string_view kHeader = "pair,source,target,scene,camera,depth_scale,guess";
 
 Job parse_job(std::string_view line) {
-  std::array<std::string, 6> fields;
+  std::array<std::string, 7> fields;
   for (std::string& field : fields) {
     const auto next = next_field(line, ',');
-    if (!next) throw std::invalid_argument("expected 6 fields");
+    if (!next) throw std::invalid_argument("expected 7 fields");
     field = *next;
   }
-  Job job{fields[0], fields[1], fields[2], {}, 0.0, {}};
-  if (fields[3] != "-") {
-    const auto depth_scale = parse_double(fields[4]);
-    if (!depth_scale) throw std::invalid_argument("expected a depth scale, found " + in_quotes(fields[4]));
-    job.camera = read_camera(fields[3]);
+  Job job{fields[0], fields[1], fields[2], fields[3], {}, 0.0, {}};
+  if (fields[4] != "-") {
+    const auto depth_scale = parse_double(fields[5]);
+    if (!depth_scale) throw std::invalid_argument("expected a depth scale, found " + in_quotes(fields[5]));
+    job.camera = read_camera(fields[4]);
     job.depth_scale = *depth_scale;
   }
-  if (fields[5] != "previous") job.guess = parse_transform(fields[5]);
+  if (fields[6] != "previous") job.guess = parse_transform(fields[6]);
   return job;
 }
 

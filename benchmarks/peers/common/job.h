@@ -17,6 +17,8 @@ struct Job {
   std::filesystem::path source;
   std::filesystem::path target;
 
+  std::string scene;  // by its name each peer finds its settings
+
   std::optional<DepthCamera> camera;  // of two depth images; nothing: both files are clouds
   double depth_scale = 0.0;       // pixel value of one metre, with a camera only
 
@@ -26,8 +28,9 @@ struct Job {
 };
 
 // The jobs of a file with a line for each, after the header
-//   pair,source,target,camera,depth_scale,guess
-// camera is a name or numbers (see read_camera), or "-" for clouds; guess is "tx ty tz qx qy qz qw" or "previous". Throws IoError.
+//   pair,source,target,scene,camera,depth_scale,guess
+// camera is a name or numbers (see read_camera), or "-" for clouds; guess is "tx ty tz qx qy qz qw" or "previous".
+// Throws IoError.
 std::vector<Job> read_jobs(const std::filesystem::path& path);
 
 }  // namespace augicp::peers

@@ -22,6 +22,7 @@ struct Input {
 struct Pair {
   const Input& source;
   const Input& target;
+  std::string scene;              // depth, lidar, car, redkitchen or bunny: which lengths are right
   std::optional<Pinhole> camera;  // with images only
   Rigid3 guess;                   // target_from_source
 };

@@ -35,7 +35,7 @@ std::string run_jobs(const Peer& peer, const std::vector<Method>& methods, const
     const auto [source, target] = reader.read(job);
     const auto pinhole = job.camera ? std::optional(job.camera->pinhole) : std::nullopt;
     for (std::size_t i = 0; i < methods.size(); ++i) {
-      const Found found = methods[i].run({*source, *target, pinhole, job.guess.value_or(previous[i])});
+      const Found found = methods[i].run({*source, *target, job.scene, pinhole, job.guess.value_or(previous[i])});
       previous[i] = found.target_from_source.value_or(Rigid3{});
       lines += result_line(job.pair, peer, methods[i].name, found);
     }

@@ -28,10 +28,8 @@ void estimate_unusual_surface(Scan& scan, const Lengths& lengths, const Registra
 }  // namespace
 
 RegistrationOptions frame_options(Preset preset, const SequenceOptions& options) {
-  RegistrationOptions registration;
+  RegistrationOptions registration = options.registration;
   registration.preset = preset;
-  registration.radius = options.radius;
-  registration.num_threads = options.num_threads;
   return registration;
 }
 

@@ -53,8 +53,7 @@ void SequenceOptions::check() const {
   require(iterations > 0, "iterations", iterations, "must be at least 1");
   require(every >= 1, "every", static_cast<double>(every), "must be at least 1");
   require(pixel_step >= 1, "pixel_step", pixel_step, "must be at least 1");
-  if (radius) require_positive("radius", *radius);
-  require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
+  registration.check();
 }
 
 std::vector<std::size_t> chosen_targets(std::size_t num_frames, const SequenceOptions& options) {

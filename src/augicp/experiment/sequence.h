@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "augicp/io/depth_sequence.h"
@@ -30,9 +29,11 @@ struct SequenceOptions {
   std::size_t every = 1;
   std::size_t max_targets = 0;
 
-  int pixel_step = 1;            // every so many pixels of every so many rows
-  std::optional<double> radius;  // of the ball, metres; not set: each frame's own, see derive_lengths()
-  int num_threads = 0;           // 0: all the machine's; the result is the same for any number
+  int pixel_step = 1;  // every so many pixels of every so many rows
+
+  // What all registrations share: its preset, method, association, iterations and least step are not used. Where it has
+  // no radius, each frame has its own, see derive_lengths(). The result is the same for any number of threads.
+  RegistrationOptions registration;
 
   // Throws std::invalid_argument naming the first option out of its range.
   void check() const;

@@ -52,6 +52,17 @@ TEST(TimeOffset, IsFoundFromRotations) {
   }
 }
 
+// Else a table's rows would be measured against different truths.
+TEST(TimeOffset, IsFoundByTheSameRegistrationsWhateverIsUnderTest) {
+  SequenceOptions options;
+  options.registration.lever = 0.2;
+  options.registration.classifier = Classifier::Eigenvalues;
+  options.registration.num_threads = 3;
+  const RegistrationOptions found = time_offset_options(options).registration;
+  EXPECT_FALSE(found.lever || found.classifier);
+  EXPECT_EQ(found.num_threads, 3);
+}
+
 TEST(TimeOffset, OfTooFewPairsIsRefused) {
   auto curves = late_curves(0.0, 0.0);
   curves.resize(8);

@@ -15,9 +15,8 @@ AlignOptions paper_options(Method method, const SyntheticOptions& options) {
   RegistrationOptions registration;
   registration.preset = Preset::Paper;
   registration.method = method;
-  AlignOptions align = align_options(Lengths{}, /*projective=*/false, registration);
-  if (options.kernel_chi2) align.kernel_chi2 = options.kernel_chi2;
-  return align;
+  registration.kernel_chi2 = options.kernel_chi2;
+  return align_options(Lengths{}, /*projective=*/false, registration);
 }
 
 // The loop of section 3.3 without its search: the errors of the guess and after each iteration.

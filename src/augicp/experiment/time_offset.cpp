@@ -74,8 +74,8 @@ SequenceOptions time_offset_options(const SequenceOptions& options) {
   offset_options.iterations = 20;
   offset_options.max_targets = 100;
   offset_options.pixel_step = std::max(2, options.pixel_step);
-  offset_options.radius = options.radius;
-  offset_options.num_threads = options.num_threads;
+  offset_options.registration.radius = options.registration.radius;
+  offset_options.registration.num_threads = options.registration.num_threads;
   return offset_options;
 }
 

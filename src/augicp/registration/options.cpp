@@ -45,6 +45,9 @@ void RegistrationOptions::check() const {
   if (voxel_size) require_positive("voxel_size", *voxel_size);
   if (max_distance) require(*max_distance > 0.0, "max_distance", *max_distance, "must be above 0");
   require(max_angle > 0.0, "max_angle", max_angle, "must be above 0");
+  if (kernel_chi2) require_positive("kernel_chi2", *kernel_chi2);
+  if (lever) require_not_negative("lever", *lever);
+  if (damping) require_not_negative("damping", *damping);
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
   require_not_negative("min_step", min_step);
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
@@ -60,7 +63,8 @@ Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOp
 
 SurfaceOptions surface_options(const RegistrationOptions& options) {
   SurfaceOptions surface;
-  surface.classifier = options.preset == Preset::Paper ? Classifier::Eigenvalues : Classifier::Normals;
+  surface.classifier =
+      options.classifier.value_or(options.preset == Preset::Paper ? Classifier::Eigenvalues : Classifier::Normals);
   return surface;
 }
 
@@ -81,6 +85,9 @@ AlignOptions align_options(const Lengths& lengths, bool projective, const Regist
     align.kernel_chi2 = kPaperKernelChi2;
     align.kernel_direction_per_median = std::numeric_limits<double>::infinity();
   }
+  if (options.lever) align.lever = options.lever;
+  if (options.kernel_chi2) align.kernel_chi2 = options.kernel_chi2;
+  align.damping = options.damping.value_or(align.damping);
   align.max_iterations = options.max_iterations;
   align.min_translation_step = options.min_step * lengths.extent;
   align.min_rotation_step = options.min_step;

@@ -38,6 +38,12 @@ struct RegistrationOptions {
   // Pairs whose directions differ by more are dropped, radians.
   double max_angle = 1.0471975511965976;  // 60 degrees
 
+  // What the preset would choose, chosen by hand. Not set: the preset's.
+  std::optional<Classifier> classifier;
+  std::optional<double> kernel_chi2;  // K of Eq. (13), the same in all iterations
+  std::optional<double> lever;        // metres, the same in all iterations; see AlignOptions
+  std::optional<double> damping;      // see AlignOptions
+
   int max_iterations = 50;
 
   // Steps smaller than this part of the extent, and than this in radians, end the loop. 0: all iterations are made.

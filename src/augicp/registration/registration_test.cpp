@@ -170,7 +170,26 @@ TEST(Registration, OptionsOutOfRangeAreRefused) {
   refused([](RegistrationOptions& o) { o.max_angle = 0.0; });
   refused([](RegistrationOptions& o) { o.max_iterations = 0; });
   refused([](RegistrationOptions& o) { o.min_step = -1e-9; });
+  refused([](RegistrationOptions& o) { o.kernel_chi2 = 0.0; });
+  refused([](RegistrationOptions& o) { o.lever = -0.1; });
+  refused([](RegistrationOptions& o) { o.damping = -1.0; });
   refused([](RegistrationOptions& o) { o.num_threads = -1; });
+}
+
+TEST(Registration, WhatIsChosenByHandIsStrongerThanThePreset) {
+  for (const Preset preset : {Preset::Default, Preset::Paper}) {
+    RegistrationOptions options;
+    options.preset = preset;
+    options.classifier = preset == Preset::Paper ? Classifier::Normals : Classifier::Eigenvalues;
+    options.kernel_chi2 = 30.0;
+    options.lever = 0.2;
+    options.damping = 0.5;
+    const AlignOptions align = align_options(Lengths{}, /*projective=*/true, options);
+    EXPECT_EQ(surface_options(options).classifier, *options.classifier);
+    EXPECT_EQ(align.kernel_chi2, 30.0);
+    EXPECT_EQ(align.lever, 0.2);
+    EXPECT_EQ(align.damping, 0.5);
+  }
 }
 
 TEST(Lengths, FollowTheCloud) {
