@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "augicp/cloud/correspondence.h"
+#include "augicp/match/agreement.h"
 #include "augicp/match/gates.h"
 #include "augicp/search/kd_tree.h"
 #include "augicp/sensor/depth_image.h"
@@ -22,6 +23,10 @@ class Matcher {
   // their origins.
   virtual std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source,
                                             const Gates& gates, int num_threads) const = 0;
+
+  // What the target says of the source under a pose, whatever pairs there are. The same for any number of threads.
+  virtual Agreement agreement(const Cloud& source, const Rigid3& target_from_source,
+                              const AgreementTolerance& tolerance, int num_threads) const = 0;
 };
 
 // The nearest target point of every source point.
@@ -31,6 +36,10 @@ class NearestMatcher : public Matcher {
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
+
+  // What lies farther than some tolerances from every target point is unseen: a cloud does not say what was free.
+  Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
+                      int num_threads) const override;
 
  private:
   const Cloud& target_;
@@ -46,6 +55,8 @@ class ProjectiveMatcher : public Matcher {
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
+  Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
+                      int num_threads) const override;
 
  private:
   const Cloud& target_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/core/parallel.h"
+#include "augicp/match/agreement_count.h"
 #include "augicp/match/matcher.h"
 #include "augicp/match/pair_filter.h"
 
@@ -23,6 +24,23 @@ std::vector<Correspondence> NearestMatcher::match(const Cloud& source, const Rig
   pairs.reserve(source.size());
   for (const auto& block : of_block) pairs.insert(pairs.end(), block.begin(), block.end());
   return pairs;
+}
+
+Agreement NearestMatcher::agreement(const Cloud& source, const Rigid3& target_from_source,
+                                    const AgreementTolerance& tolerance, int num_threads) const {
+  tolerance.check();
+  const SurfaceTest on_surface(source, target_, target_from_source, tolerance.min_cosine);
+  const auto limit = static_cast<float>(tolerance.distance);
+  const float reach = kNearPerTolerance * limit;
+  return blocked_sum<Agreement>(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    Agreement count;
+    for (std::size_t j = begin; j < end; ++j) {
+      const Vec3f moved = on_surface.moved(j);
+      const auto found = tree_.nearest(moved, reach * reach);
+      ++(!found ? count.unseen : on_surface.agrees(j, moved, found->index, limit) ? count.agree : count.differ);
+    }
+    return count;
+  });
 }
 
 }  // namespace augicp

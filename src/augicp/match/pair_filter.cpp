@@ -6,12 +6,20 @@
 #include <numbers>
 
 #include "augicp/core/check.h"
+#include "augicp/match/agreement.h"
 
 namespace augicp {
 
 void Gates::check() const {
   require(max_distance > 0.0, "max_distance", max_distance, "must be above 0");
   require(max_angle > 0.0, "max_angle", max_angle, "must be above 0");
+}
+
+void AgreementTolerance::check() const {
+  require_not_negative("tolerance.distance", distance);
+  require_not_negative("tolerance.per_depth", per_depth);
+  require(distance + per_depth > 0.0, "tolerance.distance", distance, "must be above 0 where per_depth is not");
+  require(min_cosine >= -1.0 && min_cosine <= 1.0, "tolerance.min_cosine", min_cosine, "must be from -1 to 1");
 }
 
 PairFilter::PairFilter(const Cloud& source, const Cloud& target, const Rigid3& target_from_source, const Gates& gates)

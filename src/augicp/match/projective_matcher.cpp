@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/core/parallel.h"
+#include "augicp/match/agreement_count.h"
 #include "augicp/match/matcher.h"
 #include "augicp/match/pair_filter.h"
 #include "augicp/sensor/projection.h"
 
 namespace augicp {
+namespace {
+
+// The point seen in the pixel on which a place in the camera frame falls, kNone where none is.
+std::int32_t pixel_of(const Vec3f& place, const Pinhole& camera, const IndexImage& index) {
+  if (!(place.z() > 0.0f)) return IndexImage::kNone;
+  const float u = static_cast<float>(camera.fx) * place.x() / place.z() + static_cast<float>(camera.cx) + 0.5f;
+  const float v = static_cast<float>(camera.fy) * place.y() / place.z() + static_cast<float>(camera.cy) + 0.5f;
+  const bool is_inside = u >= 0.0f && v >= 0.0f && u < static_cast<float>(index.width) && v < static_cast<float>(index.height);
+  return is_inside ? index.at(static_cast<int>(u), static_cast<int>(v)) : IndexImage::kNone;
+}
+
+}  // namespace
 
 ProjectiveMatcher::ProjectiveMatcher(const Cloud& target, const IndexImage& index, const Pinhole& camera)
     : target_(target), index_(index), camera_(camera) {
@@ -33,6 +46,30 @@ std::vector<Correspondence> ProjectiveMatcher::match(const Cloud& source, const 
     for (std::size_t k = 0; k < num_found[block]; ++k) pairs[num_pairs++] = pairs[block * kBlockSize + k];
   pairs.resize(num_pairs);
   return pairs;
+}
+
+Agreement ProjectiveMatcher::agreement(const Cloud& source, const Rigid3& target_from_source,
+                                       const AgreementTolerance& tolerance, int num_threads) const {
+  tolerance.check();
+  const SurfaceTest on_surface(source, target_, target_from_source, tolerance.min_cosine);
+  const auto constant = static_cast<float>(tolerance.distance), per_depth = static_cast<float>(tolerance.per_depth);
+  return blocked_sum<Agreement>(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    Agreement count;
+    for (std::size_t j = begin; j < end; ++j) {
+      const Vec3f moved = on_surface.moved(j);
+      const std::int32_t i = pixel_of(moved, camera_, index_);
+      if (i == IndexImage::kNone) {
+        ++count.unseen;
+        continue;
+      }
+      const float limit = constant + per_depth * moved.z(), behind = moved.z() - target_.points[i].z();
+      if (std::abs(behind) > kNearPerTolerance * limit)
+        ++(behind < 0.0f ? count.conflict : count.hidden);
+      else
+        ++(on_surface.agrees(j, moved, i, limit) ? count.agree : count.differ);
+    }
+    return count;
+  });
 }
 
 }  // namespace augicp

@@ -13,6 +13,7 @@ class FixedPairs : public Matcher {
   FixedPairs(const Cloud& target, std::vector<Correspondence> pairs) : target_(target), pairs_(std::move(pairs)) {}
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud&, const Rigid3&, const Gates&, int) const override { return pairs_; }
+  Agreement agreement(const Cloud&, const Rigid3&, const AgreementTolerance&, int) const override { return {}; }
 
  private:
   const Cloud& target_;
