@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "augicp/core/check.h"
-#include "augicp/odometry/rolling_shutter.h"
+#include "augicp/registration/rolling_shutter.h"
 
 namespace augicp {
 namespace {
@@ -54,6 +54,8 @@ MergeOptions merge_options(const Lengths& lengths) {
 
 RegistrationOptions tracking_options() {
   RegistrationOptions options;
+  // The guess is good, and odometry knows the motion during a readout from the motion between frames.
+  options.search = options.coarse_to_fine = options.rolling_shutter = false;
   options.max_angle = kMaxAngle;
   options.min_step = kMinStep;
   options.max_iterations = kMaxIterations;

@@ -43,6 +43,11 @@ Vec3f median_point(const Cloud& cloud) {
 
 double voxel_size_for(double radius) { return kVoxelPerRadius * radius; }
 
+double feasible_voxel(const Cloud& cloud, double voxel_size) {
+  constexpr double kCells = 1 << 20;
+  return std::max(voxel_size, bounds(cloud).diagonal() / kCells);
+}
+
 double robust_extent(const Scan& scan) {
   if (scan.cloud.empty()) return 0.0;
   if (scan.view) return kViewWidth * static_cast<double>(quantile(distances_from(Vec3f::Zero(), scan.cloud), 0.5));

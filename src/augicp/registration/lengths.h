@@ -25,6 +25,9 @@ double robust_extent(const Scan& scan);
 // The voxel with which a ball of this radius is estimated well and in bounded time, metres.
 double voxel_size_for(double radius);
 
+// A voxel that would need more cells than a key of downsample() holds becomes the finest that does not, metres.
+double feasible_voxel(const Cloud& cloud, double voxel_size);
+
 // From the geometric mean of both extents, so that swapping the clouds changes nothing.
 Lengths derive_lengths(const Scan& source, const Scan& target);
 

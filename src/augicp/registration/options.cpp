@@ -22,22 +22,6 @@ constexpr double kMinKernelPerRadius = 0.01;
 // The paper gives no K. 1 is 3.2 cm off a plane under Table 2, in the middle of the range that works on depth images.
 constexpr double kPaperKernelChi2 = 1.0;
 
-InformationModel information_for(const RegistrationOptions& options) {
-  const InformationModel model =
-      options.preset == Preset::Paper ? augmented_information() : default_information();
-  switch (options.method) {
-    case Method::Augmented:
-      return model;
-    case Method::Gicp:
-      return positions_only(model);
-    case Method::Plane:
-      return plane_information();
-    case Method::Point:
-      return point_information();
-  }
-  return model;
-}
-
 }  // namespace
 
 void RegistrationOptions::check() const {
@@ -59,6 +43,22 @@ Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOp
   lengths.voxel_size = options.voxel_size.value_or(voxel_size_for(lengths.radius));
   lengths.max_distance = options.max_distance.value_or(lengths.max_distance);
   return lengths;
+}
+
+InformationModel information_for(const RegistrationOptions& options, double epsilon) {
+  const InformationModel model =
+      options.preset == Preset::Paper ? augmented_information(epsilon) : default_information(epsilon);
+  switch (options.method) {
+    case Method::Augmented:
+      return model;
+    case Method::Gicp:
+      return positions_only(model);
+    case Method::Plane:
+      return plane_information();
+    case Method::Point:
+      return point_information();
+  }
+  return model;
 }
 
 SurfaceOptions surface_options(const RegistrationOptions& options) {

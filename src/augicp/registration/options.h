@@ -44,7 +44,12 @@ struct RegistrationOptions {
   std::optional<double> lever;        // metres, the same in all iterations; see AlignOptions
   std::optional<double> damping;      // see AlignOptions
 
-  int max_iterations = 50;
+  // Beyond the paper, and off under its preset.
+  bool search = true;             // where the guess leads nowhere convincing, others are tried: see search_start()
+  bool coarse_to_fine = true;     // large images are aligned thinned first
+  bool rolling_shutter = true;    // what rolling shutters bend is straightened, see ReadoutMotion
+
+  int max_iterations = 50;  // at full resolution
 
   // Steps smaller than this part of the extent, and than this in radians, end the loop. 0: all iterations are made.
   double min_step = 1e-5;
@@ -57,6 +62,9 @@ struct RegistrationOptions {
 
 // The lengths to use: those set, and the rest derived.
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options);
+
+// What is minimised, before a lever weighs it; epsilon: the softening of Table 2.
+InformationModel information_for(const RegistrationOptions& options, double epsilon = kTable2Epsilon);
 
 SurfaceOptions surface_options(const RegistrationOptions& options);
 AlignOptions align_options(const Lengths& lengths, bool projective, const RegistrationOptions& options);

@@ -2,9 +2,10 @@
 #include "augicp/registration/registration.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/registration/coarse_to_fine.h"
+#include "augicp/registration/level.h"
 #include "augicp/surface/ball_neighbourhood.h"
 #include "augicp/surface/window_surface.h"
 
@@ -27,12 +28,6 @@ Cloud without_far_outliers(const Cloud& cloud, double extent) {
   return within.size() == cloud.size() ? cloud : select(cloud, within);
 }
 
-// A voxel asked for that would need more cells than a key holds becomes the finest that does not.
-double feasible_voxel(const Cloud& cloud, double voxel_size) {
-  constexpr double kCells = 1 << 20;
-  return std::max(voxel_size, bounds(cloud).diagonal() / kCells);
-}
-
 void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOptions& options) {
   if (scan.view) {
     WindowOptions window;
@@ -43,12 +38,6 @@ void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOpti
   const BallOptions ball{lengths.radius, kMinBallPoints, kMaxBallGrowth * lengths.radius};
   estimate_surface(scan.cloud, BallNeighbourhood(scan.cloud, ball, options.num_threads), surface_options(options),
                    options.num_threads);
-}
-
-bool is_projective(const Scan& target, Association association) {
-  if (association == Association::Projective && !target.view)
-    throw std::invalid_argument("association = projective: the target is not a depth image with a camera");
-  return target.view && association != Association::Nearest;
 }
 
 }  // namespace
@@ -68,16 +57,13 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
 
 AlignResult register_prepared(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
                               const Lengths& lengths, const RegistrationOptions& options) {
-  const bool projective = is_projective(target, options.association);
+  is_projective(target, options.association);  // throws where it cannot be
   if (source.cloud.empty() || target.cloud.empty() || !(lengths.max_distance > 0.0)) {
     AlignResult nothing;
     nothing.target_from_source = initial_target_from_source;
     return nothing;
   }
-  const AlignOptions align_by = align_options(lengths, projective, options);
-  if (!projective) return align(source.cloud, NearestMatcher(target.cloud), initial_target_from_source, align_by);
-  return align(source.cloud, ProjectiveMatcher(target.cloud, target.view->index, target.view->camera),
-               initial_target_from_source, align_by);
+  return coarse_to_fine(source, target, initial_target_from_source, lengths, options);
 }
 
 AlignResult register_scans(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,

@@ -12,6 +12,7 @@ struct Scan {
   struct View {
     IndexImage index;
     Pinhole camera;
+    bool rolling_shutter = false;  // the rows were read one after the other
   };
 
   Cloud cloud;
@@ -24,12 +25,14 @@ inline Scan scan_of(Cloud cloud) { return {std::move(cloud), std::nullopt}; }
 inline Scan scan_of(const DepthImage& image, const Pinhole& camera, const DepthRange& range = {},
                     const DepthNoise& noise = {}) {
   OrganizedCloud seen = unproject(image, camera, range, noise);
-  return {std::move(seen.cloud), Scan::View{std::move(seen.index), camera}};
+  return {std::move(seen.cloud), Scan::View{std::move(seen.index), camera, false}};
 }
 
 // The same from what a real camera saw, free of its lens: see rectify().
 inline Scan scan_of(const DepthImage& image, const DepthCamera& camera, int step = 1, const DepthRange& range = {}) {
-  return scan_of(rectify(image, camera, step), thinned(camera.pinhole, step), range);
+  Scan scan = scan_of(rectify(image, camera, step), thinned(camera.pinhole, step), range);
+  scan.view->rolling_shutter = camera.readout_s > 0.0;
+  return scan;
 }
 
 }  // namespace augicp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/odometry/rolling_shutter.h"
+#include "augicp/registration/rolling_shutter.h"
 
 #include "augicp/geometry/rotation.h"
 #include "augicp/sensor/projection.h"

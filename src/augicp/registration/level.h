@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "augicp/registration/options.h"
+
+namespace augicp {
+
+// Are pairs found through the target's camera? Throws std::invalid_argument where that is asked for and there is none.
+bool is_projective(const Scan& target, Association association);
+
+// The matcher for a target, which must outlive it.
+std::unique_ptr<Matcher> matcher_for(const Scan& target, Association association);
+
+// Two prepared scans and how pairs are found in them, both ways. Poses are between the clouds' frames.
+class Level {
+ public:
+  Level(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options);
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
+
+  const Scan& source() const { return source_; }
+  const Scan& target() const { return target_; }
+
+  AlignResult align(const Rigid3& guess, const AlignOptions& options) const;
+
+  // The options of the registration for these scans.
+  AlignOptions usual_options() const;
+
+  // See plausibility(const Agreement&): of the source in the target and of the target in the source.
+  double plausibility(const Rigid3& target_from_source) const;
+
+  // With the first gate.
+  std::vector<Correspondence> pairs(const Rigid3& target_from_source) const;
+
+ private:
+  Scan source_, target_;
+  Lengths lengths_;
+  RegistrationOptions options_;
+  std::unique_ptr<Matcher> in_target_, in_source_;
+};
+
+// Whether an alignment ended with a pose of its own.
+bool has_pose(AlignStatus status);
+
+}  // namespace augicp

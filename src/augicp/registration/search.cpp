@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/search.h"
+
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "augicp/registration/hypotheses.h"
+#include "augicp/registration/levels.h"
+
+namespace augicp {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// Sizes of the two levels. A thousand points are enough to tell thirty poses apart, and cost a millisecond each.
+constexpr int kCoarseColumns = 40, kMiddleColumns = 80;
+constexpr double kCoarseVoxels = 8.0, kMiddleVoxels = 4.0;
+
+// On images an alignment finds its way from some 10 degrees, farther turned images soon see nothing in common. Clouds seen
+// all around are found from 40 degrees.
+const std::vector<double> kTurnsOfImages{17.0 * kDegree, 34.0 * kDegree, 51.0 * kDegree};
+const std::vector<double> kTurnsOfClouds{40.0 * kDegree, 80.0 * kDegree};
+
+// Above, the guess is taken to have led to the right pose and nothing else is tried; see plausibility().
+constexpr double kConvincing = 0.5;
+
+constexpr std::size_t kMaxCandidates = 4;
+constexpr double kSameAngle = 3.0 * kDegree;  // candidates nearer than this, and than a ball's radius, are one
+constexpr int kImageIterations = 10, kCloudIterations = 20, kMiddleIterations = 20;
+
+// Without a camera, points far off have no partner on their line of sight, only the nearest: far gates, pairs whatever
+// their directions, and information almost alike in all directions let it pull clouds together from afar.
+constexpr double kWideGate = 4.0;
+constexpr double kWideEpsilon = 0.3;
+
+AlignOptions coarse_options(const Level& level, const RegistrationOptions& options) {
+  AlignOptions coarse = level.usual_options();
+  coarse.max_iterations = kImageIterations;
+  if (is_projective(level.target(), options.association)) return coarse;
+  coarse.max_iterations = kCloudIterations;
+  coarse.information = information_for(options, kWideEpsilon);
+  coarse.gates.max_distance *= kWideGate;
+  coarse.gates.max_angle = std::numeric_limits<double>::infinity();
+  coarse.gate_per_median = std::numeric_limits<double>::infinity();
+  return coarse;
+}
+
+// About what a scan is turned: its camera, or the middle of its points.
+Vec3d pivot_of(const Scan& scan) {
+  const Vec3f place = scan.view && scan.cloud.viewpoint ? *scan.cloud.viewpoint : median_point(scan.cloud);
+  return scan.cloud.origin + place.cast<double>();
+}
+
+std::optional<Hypothesis> led_on(const Level& level, const Rigid3& start, const AlignOptions& options) {
+  const AlignResult result = level.align(start, options);
+  if (!has_pose(result.status)) return std::nullopt;
+  return Hypothesis{result.target_from_source, level.plausibility(result.target_from_source)};
+}
+
+std::vector<Hypothesis> led_on(const Level& level, const std::vector<Rigid3>& starts, const AlignOptions& options) {
+  std::vector<Hypothesis> found;
+  for (const Rigid3& start : starts) {
+    const auto hypothesis = led_on(level, start, options);
+    if (!hypothesis) continue;
+    found.push_back(*hypothesis);
+    if (found.size() == 1 && hypothesis->plausibility > kConvincing) break;  // the first is the guess
+  }
+  return found;
+}
+
+}  // namespace
+
+Rigid3 search_start(const Scan& source, const Scan& target, const Rigid3& guess_target_from_source,
+                    const Lengths& lengths, const RegistrationOptions& options) {
+  const Level coarse(coarser(source, kCoarseColumns, kCoarseVoxels, lengths),
+                     coarser(target, kCoarseColumns, kCoarseVoxels, lengths), lengths, options);
+  const std::vector<Rigid3> starts = turned(guess_target_from_source, guess_target_from_source * pivot_of(source),
+                                            source.view && target.view ? kTurnsOfImages : kTurnsOfClouds);
+  const std::vector<Hypothesis> candidates =
+      best_of(led_on(coarse, starts, coarse_options(coarse, options)), kMaxCandidates, lengths.radius, kSameAngle);
+  if (candidates.empty()) return guess_target_from_source;
+  const Level middle(coarser(source, kMiddleColumns, kMiddleVoxels, lengths),
+                     coarser(target, kMiddleColumns, kMiddleVoxels, lengths), lengths, options);
+  AlignOptions by = middle.usual_options();
+  by.max_iterations = kMiddleIterations;
+  std::vector<Hypothesis> refined;
+  for (const Hypothesis& candidate : candidates)
+    if (const auto hypothesis = led_on(middle, candidate.target_from_source, by)) refined.push_back(*hypothesis);
+  const auto best = best_of(refined, 1, 0.0, 0.0);
+  return best.empty() ? guess_target_from_source : best.front().target_from_source;
+}
+
+}  // namespace augicp
