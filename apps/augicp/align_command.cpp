@@ -5,6 +5,7 @@
 #include <numbers>
 #include <system_error>
 
+#include "apps/augicp/beyond_paper.h"
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
@@ -119,6 +120,7 @@ void add_align_command(CLI::App& app, int& exit_code) {
   command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
   add_input_options(*command, arguments->input);
   add_method_options(*command, *arguments);
+  add_beyond_paper(*command, arguments->registration);
   add_output_options(*command, *arguments);
   command->footer(
       "The result T_target_source maps source coordinates into the target frame.\n"

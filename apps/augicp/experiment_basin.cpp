@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "apps/augicp/beyond_paper.h"
 #include "apps/augicp/commands.h"
 #include "apps/augicp/experiment_commands.h"
 #include "apps/augicp/inputs.h"
@@ -90,6 +91,7 @@ void add_basin_experiment(CLI::App& experiment, int& exit_code) {
   command->add_option("target,--target", arguments->target, "The fixed one")->required();
   add_input_options(*command, arguments->input);
   add_options(*command, *arguments);
+  add_beyond_paper(*command, arguments->options.registration);
   add_experiment_output(*command, arguments->output);
   command->footer(
       "CSV: share of starts that end at the truth, and mean iterations, for each angle and distance. The mean of the share\n"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "apps/augicp/beyond_paper.h"
 #include "apps/augicp/commands.h"
 #include "apps/augicp/experiment_commands.h"
 #include "apps/augicp/inputs.h"
@@ -26,6 +27,7 @@ struct SequenceArguments {
   std::string folder, camera, curves;
   std::optional<double> depth_scale;
   std::vector<std::string> time_offsets{"0"};
+  bool from_truth = false;
   SequenceOptions options;
   ExperimentOutput output;
 };
@@ -57,8 +59,10 @@ int run(const SequenceArguments& arguments) {
   if (!sequence.truth) throw IoError(arguments.folder + ": expected a true trajectory, groundtruth.txt, found none");
   const DepthCamera camera = sequence_camera(sequence, arguments.folder, arguments.camera);
   const std::vector<double> offsets = offsets_s(sequence, camera, arguments);
-  ProgressBar bar(chosen_targets(sequence.frames.size(), arguments.options).size(), "targets", arguments.output.progress);
-  const auto curves = run_sequence(sequence, camera, arguments.options, [&] { bar.advance(); });
+  SequenceOptions options = arguments.options;
+  if (arguments.from_truth) options.guess = {*sequence.truth, offsets.front()};
+  ProgressBar bar(chosen_targets(sequence.frames.size(), options).size(), "targets", arguments.output.progress);
+  const auto curves = run_sequence(sequence, camera, options, [&] { bar.advance(); });
   write_csv(arguments.output.csv, sequence_csv(curves, *sequence.truth, offsets));
   if (!arguments.curves.empty()) write_csv(arguments.curves, curves_csv(curves, *sequence.truth, offsets));
   return kSuccess;
@@ -79,6 +83,8 @@ void add_input(CLI::App& command, SequenceArguments& arguments) {
   command.add_option("--time-offset", arguments.time_offsets,
                      "Truth is read at stamp + offset: seconds, or auto: found from registrations; several: rows for each")
       ->delimiter(',')->capture_default_str()->group(group);
+  command.add_flag("--from-truth", arguments.from_truth, "Start at the true motion, at the first offset, not at the identity")
+      ->group(group);
 }
 
 void add_method(CLI::App& command, SequenceOptions& options) {
@@ -122,6 +128,7 @@ void add_sequence_experiment(CLI::App& experiment, int& exit_code) {
   add_input(*command, *arguments);
   add_method(*command, arguments->options);
   add_overrides(*command, arguments->options.registration);
+  add_beyond_paper(*command, arguments->options.registration);
   add_experiment_output(*command, arguments->output);
   command->add_option("--curves", arguments->curves, "Write the errors of every single registration as CSV")->group("Output");
   command->footer(

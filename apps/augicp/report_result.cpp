@@ -22,6 +22,9 @@ nlohmann::ordered_json options_json(const AlignReport& report) {
           {"voxel_size", report.lengths.voxel_size},
           {"max_distance", report.lengths.max_distance},
           {"max_angle_deg", options.max_angle * 180.0 / std::numbers::pi},
+          {"search", options.search},
+          {"coarse_to_fine", options.coarse_to_fine},
+          {"rolling_shutter", options.rolling_shutter},
           {"max_iterations", options.max_iterations},
           {"min_step", options.min_step},
           {"threads", options.num_threads}};

@@ -51,6 +51,16 @@ bool is_small(const Vec6d& step, const AlignOptions& options) {
   return step.head<3>().norm() < options.min_translation_step && step.tail<3>().norm() < options.min_rotation_step;
 }
 
+// Pairs change by leaps, so that a loop may end up going round a few poses for ever. It is where it will get to when it is
+// back at one of the last ones.
+bool has_returned(const Rigid3& pose, const std::vector<Rigid3>& visited, const AlignOptions& options) {
+  constexpr std::size_t kLongestCycle = 8;
+  const std::size_t count = std::min(kLongestCycle, visited.size());
+  return std::any_of(visited.end() - static_cast<std::ptrdiff_t>(count), visited.end(), [&](const Rigid3& earlier) {
+    return is_small(increment_between(earlier, pose), options);
+  });
+}
+
 // One pass of the loop of section 3.3, from a pose to its step; everything but the points themselves.
 struct Pass {
   std::vector<Correspondence> pairs;
@@ -122,6 +132,7 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   Rigid3 pose = without_origins(initial_target_from_source, source, target);
   Pass pass;
   Gates gates = options.gates;
+  std::vector<Rigid3> visited;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
     pass.pairs = matcher.match(source, pose, gates, options.num_threads);
     result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
@@ -140,7 +151,8 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
     result.information = pass.equations.H;
     result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,
                               pass.weighing.kernel_chi2, pass.weighing.lever});
-    if (is_small(step, options)) result.status = AlignStatus::Converged;
+    if (is_small(step, options) || has_returned(pose, visited, options)) result.status = AlignStatus::Converged;
+    visited.push_back(pose);
   }
   result.target_from_source = with_origins(pose, source, target);
   const bool reached = result.status == AlignStatus::Converged || result.status == AlignStatus::IterationLimit;

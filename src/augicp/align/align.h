@@ -60,7 +60,7 @@ struct AlignOptions {
 };
 
 enum class AlignStatus {
-  Converged,       // the last step was small
+  Converged,       // the last step was small, or led back to one of the poses before
   IterationLimit,  // it was not, after max_iterations
   Degenerate,      // some direction of motion is not held by the data, see AlignOptions::min_observability
   TooFewPairs,     // fewer points in a cloud than pairs that six numbers need

@@ -18,8 +18,17 @@ RegistrationOptions registration_options(Preset preset, Method method, const Seq
   return registration;
 }
 
-std::vector<Rigid3> path_of(const AlignResult& result, int iterations) {
-  std::vector<Rigid3> path{Rigid3{}};
+Rigid3 guess_for(const SequenceCurve& curve, const SequenceOptions& options) {
+  constexpr double kMaxGap_s = 0.1;
+  if (!options.guess) return {};
+  const auto& [trajectory, offset_s] = *options.guess;
+  const auto target = pose_at(trajectory, curve.target_stamp_s + offset_s, kMaxGap_s),
+             source = pose_at(trajectory, curve.source_stamp_s + offset_s, kMaxGap_s);
+  return target && source ? inverse(*target) * *source : Rigid3{};
+}
+
+std::vector<Rigid3> path_of(const AlignResult& result, const Rigid3& guess, int iterations) {
+  std::vector<Rigid3> path{guess};
   for (const AlignIteration& iteration : result.history) path.push_back(iteration.target_from_source);
   path.resize(static_cast<std::size_t>(iterations) + 1, path.back());
   return path;
@@ -35,9 +44,10 @@ SequenceCurve run_pair(const PreparedFrame& source, const PreparedFrame& target,
   const RegistrationOptions registration = registration_options(curve.preset, method, options);
   const Scan& from = source.scans[preset];
   const Scan& to = target.scans[preset];
-  const AlignResult result = register_prepared(from, to, {}, lengths_for(from, to, registration), registration);
+  const Rigid3 guess = guess_for(curve, options);
+  const AlignResult result = register_prepared(from, to, guess, lengths_for(from, to, registration), registration);
   curve.status = result.status;
-  curve.path = path_of(result, options.iterations);
+  curve.path = path_of(result, guess, options.iterations);
   return curve;
 }
 

@@ -33,7 +33,16 @@ struct SequenceOptions {
 
   // What all registrations share: its preset, method, association, iterations and least step are not used. Where it has
   // no radius, each frame has its own, see derive_lengths(). The result is the same for any number of threads.
-  RegistrationOptions registration;
+  // What comes before the iterations is off, so that methods compare iteration by iteration.
+  RegistrationOptions registration = iterations_alone();
+
+  // Where registrations start: at the motion of a trajectory, read at the stamps + an offset; not set, or where it has
+  // none: the identity.
+  struct Guess {
+    Trajectory trajectory;
+    double time_offset_s = 0.0;
+  };
+  std::optional<Guess> guess;
 
   // Throws std::invalid_argument naming the first option out of its range.
   void check() const;

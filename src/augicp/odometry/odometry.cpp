@@ -53,9 +53,8 @@ MergeOptions merge_options(const Lengths& lengths) {
 }  // namespace
 
 RegistrationOptions tracking_options() {
-  RegistrationOptions options;
   // The guess is good, and odometry knows the motion during a readout from the motion between frames.
-  options.search = options.coarse_to_fine = options.rolling_shutter = false;
+  RegistrationOptions options = iterations_alone();
   options.max_angle = kMaxAngle;
   options.min_step = kMinStep;
   options.max_iterations = kMaxIterations;

@@ -37,6 +37,12 @@ void RegistrationOptions::check() const {
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }
 
+RegistrationOptions iterations_alone() {
+  RegistrationOptions options;
+  options.search = options.coarse_to_fine = options.rolling_shutter = false;
+  return options;
+}
+
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options) {
   Lengths lengths = derive_lengths(source, target);
   lengths.radius = options.radius.value_or(lengths.radius);

@@ -60,6 +60,9 @@ struct RegistrationOptions {
   void check() const;
 };
 
+// With nothing but the paper's loop: its iterations from the guess, at full resolution.
+RegistrationOptions iterations_alone();
+
 // The lengths to use: those set, and the rest derived.
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options);
 

@@ -8,7 +8,7 @@
 #include "augicp/geometry/rotation.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
-#include "augicp/testing/rendering.h"
+#include "augicp/testing/rolling_camera.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
@@ -43,15 +43,14 @@ Skewed skewed_room() {
   const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(64);
   skewed.world_from_middle = room.world_from_camera;
-  DepthImage image{camera.width, camera.height, {}};
+  const DepthImage image =
+      testing::render_rolling(room, camera, skewed.world_from_middle, skewed.first_from_last);
   std::vector<Rigid3> world_from_rows;
   for (int v = 0; v < camera.height; ++v) {
     const double share = (v + 0.5) / camera.height - 0.5;
     world_from_rows.push_back(room.world_from_camera *
                               Rigid3{rotation_exp(share * rotation_log(skewed.first_from_last.rotation)),
                                      share * skewed.first_from_last.translation});
-    const DepthImage row = testing::render(room, camera, camera.width, camera.height, world_from_rows.back()).depth;
-    for (int u = 0; u < camera.width; ++u) image.depth.push_back(row.at(u, v));
   }
   skewed.scan = scan_of(image, camera);
   skewed.seen_in_world.resize(skewed.scan.cloud.size());

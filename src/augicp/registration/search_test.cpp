@@ -1,2 +1,102 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
+#include "augicp/registration/search.h"
+
+#include <gmock/gmock.h>
+
+#include "augicp/geometry/rotation.h"
+#include "augicp/registration/registration.h"
+#include "augicp/testing/matchers.h"
+#include "augicp/testing/poses.h"
+#include "augicp/testing/rendering.h"
+#include "augicp/testing/scenes.h"
+
+namespace augicp {
+namespace {
+
+using testing::NearPose;
+
+struct Pair {
+  Scan source, target;
+  Rigid3 target_from_source;
+};
+
+// A room from two places, the camera turned by so much between them.
+Pair room_pair(double angle_rad) {
+  const testing::Scene room = testing::room();
+  const Pinhole camera = testing::kinect_like_camera(160);
+  const Rigid3 target_from_source{rotation_exp(angle_rad * Vec3d(0.6, 0.64, 0.48)), {0.1, -0.05, 0.1}};
+  DepthImage source =
+      testing::render(room, camera, camera.width, camera.height, room.world_from_camera * target_from_source).depth;
+  DepthImage target = testing::render(room, camera).depth;
+  testing::add_depth_noise(source, testing::kKinectSigmaAt1m, 1);
+  testing::add_depth_noise(target, testing::kKinectSigmaAt1m, 2);
+  return {scan_of(source, camera), scan_of(target, camera), target_from_source};
+}
+
+RegistrationOptions without_search() {
+  RegistrationOptions options;
+  options.search = false;
+  return options;
+}
+
+TEST(Search, ImagesMeetFromFarther) {
+  const Pair pair = room_pair(0.6);
+  EXPECT_THAT(register_scans(pair.source, pair.target, {}, without_search()).target_from_source,
+              ::testing::Not(NearPose(pair.target_from_source, 0.1, 0.1)));
+  EXPECT_THAT(register_scans(pair.source, pair.target).target_from_source, NearPose(pair.target_from_source, 0.02, 0.03));
+}
+
+TEST(Search, CloudsMeetFromFarther) {
+  const Pair pair = room_pair(0.2);
+  const Scan source = scan_of(pair.source.cloud), target = scan_of(pair.target.cloud);
+  std::mt19937 generator(1);
+  for (int trial = 0; trial < 3; ++trial) {
+    const Vec3d middle = median_point(source.cloud).cast<double>();
+    const Rigid3 turn = testing::random_motion(generator, 1.2, 0.0);
+    const Rigid3 guess = pair.target_from_source * Rigid3{turn.rotation, middle - turn.rotation * middle};
+    EXPECT_THAT(register_scans(source, target, guess).target_from_source, NearPose(pair.target_from_source, 0.02, 0.03));
+  }
+}
+
+// A good guess stays what it is worth.
+TEST(Search, AGoodGuessIsNotMadeWorse) {
+  const Pair pair = room_pair(0.1);
+  const Rigid3 with = register_scans(pair.source, pair.target, pair.target_from_source).target_from_source;
+  const Rigid3 without = register_scans(pair.source, pair.target, pair.target_from_source, without_search()).target_from_source;
+  EXPECT_THAT(with, NearPose(without, 1e-3, 2e-3));
+}
+
+TEST(Search, NothingToFindGivesTheGuessBack) {
+  const Pair pair = room_pair(0.1);
+  const Lengths lengths = lengths_for(pair.source, pair.target, {});
+  const Scan target = prepare(pair.target, lengths, {});
+  Scan one = target;
+  one.view.reset();
+  one.cloud.points.resize(1), one.cloud.directions.resize(1), one.cloud.structures.resize(1), one.cloud.weights.clear();
+  const Rigid3 guess{rotation_exp({0.1, 0.2, 0.3}), {1, 2, 3}};
+  EXPECT_THAT(search_start(one, target, guess, lengths, {}), NearPose(guess, 0.0, 0.0));
+}
+
+TEST(Search, ThreadsFindTheSameBits) {
+  const Pair pair = room_pair(0.6);
+  RegistrationOptions options;
+  options.num_threads = 1;
+  const Rigid3 expected = register_scans(pair.source, pair.target, {}, options).target_from_source;
+  for (const int num_threads : {2, 5}) {
+    options.num_threads = num_threads;
+    EXPECT_EQ(register_scans(pair.source, pair.target, {}, options).target_from_source.matrix(), expected.matrix());
+  }
+}
+
+TEST(Search, ThePaperDoesNotSearch) {
+  const Pair pair = room_pair(0.6);
+  RegistrationOptions paper;
+  paper.preset = Preset::Paper;
+  RegistrationOptions plain = paper;
+  plain.search = plain.coarse_to_fine = plain.rolling_shutter = false;
+  EXPECT_EQ(register_scans(pair.source, pair.target, {}, paper).target_from_source.matrix(),
+            register_scans(pair.source, pair.target, {}, plain).target_from_source.matrix());
+}
+
+}  // namespace
+}  // namespace augicp
