@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/registration/judge.h"
 #include "augicp/surface/ball_neighbourhood.h"
 #include "augicp/surface/window_surface.h"
 
@@ -75,9 +76,8 @@ AlignResult register_prepared(const Scan& source, const Scan& target, const Rigi
     return nothing;
   }
   const AlignOptions align_by = align_options(lengths, projective, options);
-  if (!projective) return align(source.cloud, NearestMatcher(target.cloud), initial_target_from_source, align_by);
-  return align(source.cloud, ProjectiveMatcher(target.cloud, target.view->index, target.view->camera),
-               initial_target_from_source, align_by);
+  const std::unique_ptr<Matcher> matcher = matcher_for(target, projective);
+  return judged(align(source.cloud, *matcher, initial_target_from_source, align_by), source, target, *matcher, lengths, align_by);
 }
 
 AlignResult register_scans(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
