@@ -139,6 +139,7 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
       {"overlap", result.overlap},
       {"rmse", result.rmse},
       {"information", matrix_json(result.information)},
+      {"covariance", result.covariance ? matrix_json(*result.covariance) : nlohmann::ordered_json(nullptr)},
       {"observability", std::vector<double>(result.observability.information.begin(), result.observability.information.end())},
       {"timing_ms",
        {{"read", report.timing_ms.read}, {"surface", report.timing_ms.surface}, {"align", report.timing_ms.align}}}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "augicp/align/covariance.h"
 #include "augicp/align/damped_step.h"
 #include "augicp/align/median.h"
 #include "augicp/align/weighing.h"
@@ -81,7 +82,10 @@ void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose
 void judge_observability(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass,
                          const AlignOptions& options, AlignResult& result) {
   result.observability = observability(source, target, pass.pairs, pose, pass.objective, options.num_threads);
-  if (result.observability.weakest() < options.min_observability) result.status = AlignStatus::Degenerate;
+  if (result.observability.weakest() < options.min_observability)
+    result.status = AlignStatus::Degenerate;
+  else if (options.correlation_length > 0.0)
+    result.covariance = covariance(source, target, pass.pairs, pose, pass.objective, pass.equations, options.correlation_length);
 }
 
 // The step that leaves the num_free weakest directions of this iteration alone.
@@ -114,6 +118,7 @@ void AlignOptions::check() const {
   require_not_negative("min_translation_step", min_translation_step);
   require_not_negative("min_rotation_step", min_rotation_step);
   require_not_negative("min_observability", min_observability);
+  require_not_negative("correlation_length", correlation_length);
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }
 

@@ -54,6 +54,9 @@ struct AlignOptions {
   // corridors and cylinders with a Kinect's noise stay below 1e-4, images of rooms and desks above 1.5e-3.
   double min_observability = 4e-4;
 
+  // Errors of points nearer to each other than this may hang together, metres; see covariance.h. 0: no covariance.
+  double correlation_length = 0.0;
+
   int num_threads = 0;  // 0: all the machine's
 
   // Throws std::invalid_argument naming the first option out of its range.
@@ -79,6 +82,10 @@ struct AlignResult {
   double rmse = 0.0;           // of the distances within the pairs of the final pose, metres
   Mat6d information = Mat6d::Zero();  // H of the last iteration; order tx ty tz rx ry rz, target points' frame, left
   Observability observability;        // of the last iteration's pairs
+
+  // Of the pose, in the order and on the side of `information`; see covariance.h. Only where all six directions are held.
+  std::optional<Mat6d> covariance;
+
 
   // Where the status is Degenerate: the motions that the data leave open. The pose has not moved along them from the guess.
   std::vector<FreeMotion> free_motions;
