@@ -59,6 +59,7 @@ ExitCode exit_code_for(AlignStatus status) {
       return kSuccess;
     case AlignStatus::IterationLimit:
     case AlignStatus::Degenerate:
+    case AlignStatus::Doubtful:
       return kDoubtful;
     default:
       return kRegistrationFailed;

@@ -29,6 +29,7 @@ void add_experiment_command(CLI::App& app, int& exit_code) {
   add_synthetic_experiment(*command, exit_code);
   add_sequence_experiment(*command, exit_code);
   add_basin_experiment(*command, exit_code);
+  add_verdict_experiment(*command, exit_code);
   command->footer(
       "Each writes CSV, the same bytes for the same seed and any number of threads. experiments/ draws the pictures.\n"
       "Examples:\n"

@@ -21,5 +21,6 @@ void write_csv(const std::string& destination, const std::string& text);
 void add_synthetic_experiment(CLI::App& experiment, int& exit_code);
 void add_sequence_experiment(CLI::App& experiment, int& exit_code);
 void add_basin_experiment(CLI::App& experiment, int& exit_code);
+void add_verdict_experiment(CLI::App& experiment, int& exit_code);
 
 }  // namespace augicp::app

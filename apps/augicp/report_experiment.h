@@ -8,6 +8,7 @@
 #include "augicp/experiment/basin.h"
 #include "augicp/experiment/sequence_errors.h"
 #include "augicp/experiment/synthetic.h"
+#include "augicp/experiment/verdict.h"
 
 namespace augicp::app {
 
@@ -18,9 +19,12 @@ std::string sequence_csv(std::span<const SequenceCurve> curves, const Trajectory
 std::string curves_csv(std::span<const SequenceCurve> curves, const Trajectory& truth,
                        const std::vector<double>& time_offsets_s);
 std::string basin_csv(const std::vector<BasinCell>& cells);
+std::string verdict_csv(std::span<const VerdictPair> pairs);
+std::string roc_csv(const std::vector<RocPoint>& points);
 
 // For people.
 std::string time_offset_text(const TimeOffset& found);
+std::string confusion_text(const std::vector<ConfusionRow>& rows);
 std::string basin_text(const std::vector<BasinCell>& cells, const BasinOptions& options);
 
 }  // namespace augicp::app

@@ -11,9 +11,9 @@
 namespace augicp::app {
 namespace {
 
-constexpr std::array kStatuses{FrameStatus::Started, FrameStatus::Tracked,    FrameStatus::Degenerate,
-                               FrameStatus::Lost,    FrameStatus::NoReadings, FrameStatus::OutOfOrder,
-                               FrameStatus::Unreadable};
+constexpr std::array kStatuses{FrameStatus::Started,    FrameStatus::Tracked,    FrameStatus::Degenerate,
+                               FrameStatus::Doubtful,   FrameStatus::Lost,       FrameStatus::NoReadings,
+                               FrameStatus::OutOfOrder, FrameStatus::Unreadable};
 
 std::size_t num_with(const OdometryRun& run, FrameStatus status) {
   return static_cast<std::size_t>(std::count_if(

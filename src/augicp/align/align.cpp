@@ -2,9 +2,9 @@
 #include "augicp/align/align.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "augicp/align/covariance.h"
 #include "augicp/align/damped_step.h"
 #include "augicp/align/median.h"
 #include "augicp/align/weighing.h"
@@ -92,8 +92,22 @@ void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose
 void judge_observability(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass,
                          const AlignOptions& options, AlignResult& result) {
   result.observability = observability(source, target, pass.pairs, pose, pass.objective, options.num_threads);
-  if (result.observability.weakest() < options.min_observability) result.status = AlignStatus::Degenerate;
+  if (result.observability.weakest() < options.min_observability)
+    result.status = AlignStatus::Degenerate;
+  else if (options.correlation_length > 0.0)
+    result.covariance = covariance(source, target, pass.pairs, pose, pass.objective, pass.equations, options.correlation_length);
 }
+
+// The step that leaves the num_free weakest directions of this iteration alone.
+Vec6d step_of(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass, const AlignOptions& options,
+              int num_free) {
+  if (num_free == 0) return damped_step(pass.equations, options.damping);
+  const Observability now = observability(source, target, pass.pairs, pose, pass.objective, options.num_threads);
+  return held_step(pass.equations, options.damping, now, num_free);
+}
+
+AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
+                const AlignOptions& options, int num_free);
 
 }  // namespace
 
@@ -114,18 +128,28 @@ void AlignOptions::check() const {
   require_not_negative("min_translation_step", min_translation_step);
   require_not_negative("min_rotation_step", min_rotation_step);
   require_not_negative("min_observability", min_observability);
+  require_not_negative("correlation_length", correlation_length);
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
-}
-
-std::string_view name_of(AlignStatus status) {
-  constexpr std::array<std::string_view, 6> kNames{"converged",     "iteration_limit", "degenerate",
-                                                   "too_few_pairs", "no_overlap",      "diverged"};
-  return kNames[static_cast<std::size_t>(status)];
 }
 
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options) {
   options.check();
+  AlignResult result = run(source, matcher, initial_target_from_source, options, 0);
+  if (result.status != AlignStatus::Degenerate) return result;
+  // What is free has wandered by then, and may have led the rest astray: once more, without it.
+  const int num_free = result.observability.num_below(options.min_observability);
+  AlignResult held = run(source, matcher, initial_target_from_source, options, num_free);
+  if (held.observability.gyration == 0.0) return result;  // no pose was reached this way
+  held.status = AlignStatus::Degenerate;
+  held.free_motions = free_motions(held.observability, num_free, matcher.target().origin);
+  return held;
+}
+
+namespace {
+
+AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
+                const AlignOptions& options, int num_free) {
   const Cloud& target = matcher.target();
   AlignResult result;
   result.status = AlignStatus::IterationLimit;
@@ -138,7 +162,7 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
     result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
     if (!has_enough_pairs(source, target, result)) break;
     linearize_pass(source, target, pose, options, pass);
-    const Vec6d step = damped_step(pass.equations, options.damping);
+    const Vec6d step = step_of(source, target, pose, pass, options, num_free);
     if (!step.allFinite()) {
       result.status = AlignStatus::Diverged;
       break;
@@ -160,4 +184,5 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   return result;
 }
 
+}  // namespace
 }  // namespace augicp

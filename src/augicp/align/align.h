@@ -3,10 +3,11 @@
 
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "augicp/align/free_motions.h"
 #include "augicp/align/observability.h"
+#include "augicp/align/verdict.h"
 #include "augicp/match/matcher.h"
 
 namespace augicp {
@@ -53,21 +54,14 @@ struct AlignOptions {
   // corridors and cylinders with a Kinect's noise stay below 1e-4, images of rooms and desks above 1.5e-3.
   double min_observability = 4e-4;
 
+  // Errors of points nearer to each other than this may hang together, metres; see covariance.h. 0: no covariance.
+  double correlation_length = 0.0;
+
   int num_threads = 0;  // 0: all the machine's
 
   // Throws std::invalid_argument naming the first option out of its range.
   void check() const;
 };
-
-enum class AlignStatus {
-  Converged,       // the last step was small, or led back to one of the poses before
-  IterationLimit,  // it was not, after max_iterations
-  Degenerate,      // some direction of motion is not held by the data, see AlignOptions::min_observability
-  TooFewPairs,     // fewer points in a cloud than pairs that six numbers need
-  NoOverlap,       // hardly any source point has a partner
-  Diverged,        // a number stopped being finite
-};
-std::string_view name_of(AlignStatus status);
 
 struct AlignIteration {
   Rigid3 target_from_source;  // after the iteration's step
@@ -88,6 +82,19 @@ struct AlignResult {
   double rmse = 0.0;           // of the distances within the pairs of the final pose, metres
   Mat6d information = Mat6d::Zero();  // H of the last iteration; order tx ty tz rx ry rz, target points' frame, left
   Observability observability;        // of the last iteration's pairs
+
+  // Of the pose, in the order and on the side of `information`; see covariance.h. Only where all six directions are held.
+  std::optional<Mat6d> covariance;
+
+
+  // Where the status is Degenerate: the motions that the data leave open. The pose has not moved along them from the guess.
+  std::vector<FreeMotion> free_motions;
+
+  // What speaks for the pose and against it. align() alone gathers none: its Converged says that the steps became small,
+  // and no more; register_prepared() judges, see registration/judge.h.
+  std::optional<Evidence> evidence;
+  std::vector<Doubt> doubts;
+
   std::vector<AlignIteration> history;
 };
 

@@ -62,7 +62,8 @@ Observability observability(const Cloud& source, const Cloud& target, std::span<
   const Eigen::SelfAdjointEigenSolver<Mat6d> solver(change.transpose() * equations.H * change);
   const double best = solver.eigenvalues()[5];
   if (!(best > 0.0)) return {};
-  return {solver.eigenvalues().cwiseMax(0.0) / best, change * solver.eigenvectors()};
+  return {solver.eigenvalues().cwiseMax(0.0) / best, change * solver.eigenvectors(), spread.centroid,
+          spread.gyration};
 }
 
 }  // namespace augicp

@@ -14,6 +14,12 @@ struct Observability {
   Vec6d information = Vec6d::Zero();  // of the six directions, each as a part of the best one's, ascending
   Mat6d directions = Mat6d::Zero();   // columns in that order: increments (metres, radians) about the target's zero
 
+  Vec3d centroid = Vec3d::Zero();  // of the paired target points, metres
+  double gyration = 0.0;           // their radius of gyration, metres
+
+  // How many directions have less information than this.
+  int num_below(double min_information) const { return static_cast<int>((information.array() < min_information).count()); }
+
   double weakest() const { return information[0]; }
 };
 

@@ -44,6 +44,19 @@ Lengths tracking_lengths(const Scan& frame, const Scan& reference, const Registr
   return lengths;
 }
 
+FrameStatus frame_status(AlignStatus status, double strain, const OdometryOptions& options) {
+  switch (status) {
+    case AlignStatus::Converged:
+    case AlignStatus::IterationLimit:
+    case AlignStatus::Doubtful:
+      return strain > options.max_strain ? FrameStatus::Doubtful : FrameStatus::Tracked;
+    case AlignStatus::Degenerate:
+      return FrameStatus::Degenerate;
+    default:
+      return FrameStatus::Lost;
+  }
+}
+
 MergeOptions merge_options(const Lengths& lengths) {
   MergeOptions options;
   options.max_distance = lengths.radius;
@@ -69,18 +82,20 @@ void OdometryOptions::check() const {
   require(min_overlap >= 0.0 && min_overlap <= 1.0, "min_overlap", min_overlap, "must be from 0 to 1");
   require(keyframe_overlap >= 0.0 && keyframe_overlap <= 1.0, "keyframe_overlap", keyframe_overlap,
           "must be from 0 to 1");
+  require(max_strain > 0.0, "max_strain", max_strain, "must be above 0");
   require(max_lost >= 1, "max_lost", max_lost, "must be at least 1");
   require_not_negative("max_extrapolation_s", max_extrapolation_s);
 }
 
 std::string_view name_of(FrameStatus status) {
-  constexpr std::array<std::string_view, 7> kNames{"started",     "tracked",      "degenerate", "lost",
-                                                   "no_readings", "out_of_order", "unreadable"};
+  constexpr std::array<std::string_view, 8> kNames{"started", "tracked",     "degenerate",   "doubtful",
+                                                   "lost",    "no_readings", "out_of_order", "unreadable"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
 bool has_pose(FrameStatus status) {
-  return status == FrameStatus::Started || status == FrameStatus::Tracked || status == FrameStatus::Degenerate;
+  return status == FrameStatus::Started || status == FrameStatus::Tracked || status == FrameStatus::Degenerate ||
+         status == FrameStatus::Doubtful;
 }
 
 Scan prepare_frame(const DepthImage& image, const DepthCamera& camera, const OdometryOptions& options) {
@@ -133,10 +148,8 @@ Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
     report.num_pairs = result.num_pairs;
     report.overlap = result.overlap;
     report.rmse = result.rmse;
-    const bool found = result.status == AlignStatus::Converged || result.status == AlignStatus::IterationLimit;
-    report.status = result.status == AlignStatus::Degenerate ? FrameStatus::Degenerate
-                    : found                                  ? FrameStatus::Tracked
-                                                             : FrameStatus::Lost;
+    report.strain = result.evidence ? strain(*result.evidence) : 0.0;
+    report.status = frame_status(result.status, report.strain, options_);
     if (report.overlap < options_.min_overlap) report.status = FrameStatus::Lost;
     if (report.status == FrameStatus::Lost) break;
     report.world_from_camera = world_from_reference_ * result.target_from_source;
@@ -198,7 +211,8 @@ FrameReport Odometry::add(double stamp_s, const Scan& frame) {
     return report;
   }
   const Scan straight = register_frame(frame, report);
-  num_lost_ = report.status == FrameStatus::Lost ? num_lost_ + 1 : 0;
+  const bool is_astray = report.status == FrameStatus::Lost || report.status == FrameStatus::Doubtful;
+  num_lost_ = is_astray ? num_lost_ + 1 : 0;
   if (report.status == FrameStatus::Lost) return report;
   report.is_keyframe = report.status == FrameStatus::Tracked && report.overlap < options_.keyframe_overlap;
   if (report.status == FrameStatus::Tracked) update_reference(straight, report);

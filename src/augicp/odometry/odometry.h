@@ -35,7 +35,11 @@ struct OdometryOptions {
   double min_overlap = 0.35;
   double keyframe_overlap = 0.7;
 
-  // After so many lost frames on end, the next one starts a new segment of the trajectory.
+  // A frame is doubtful above this strain, see align/verdict.h. 1 is what a pair of images must keep to, whose pose may be anywhere;
+  // a camera that is followed is where it is expected. Of the frames of fr1/desk, which are all tracked well, one reaches 2.2.
+  double max_strain = 3.0;
+
+  // After so many lost or doubtful frames on end, the next one starts a new segment of the trajectory.
   int max_lost = 10;
 
   // The camera is taken to go on as it moved for no longer than this, seconds; after a longer gap the last pose is the
@@ -50,6 +54,7 @@ enum class FrameStatus {
   Started,     // a segment begins here: its pose is the last one known, or the identity
   Tracked,     // registered to the reference
   Degenerate,  // registered, but some direction of motion is not held by what is seen: that part is the prediction
+  Doubtful,    // registered, but what the frame and the reference say of each other speaks against it: not merged
   Lost,        // not registered: no pose
   NoReadings,  // too few readings to register: no pose
   OutOfOrder,  // not after the frame before: ignored, no pose
@@ -72,7 +77,8 @@ struct FrameReport {
   int iterations = 0;
   std::int64_t num_pairs = 0;
   double overlap = 0.0;
-  double rmse = 0.0;  // metres
+  double rmse = 0.0;    // metres
+  double strain = 0.0;  // of the evidence for the pose, see align/verdict.h
 
   std::string problem;  // in words, where the status is NoReadings or Unreadable
 };

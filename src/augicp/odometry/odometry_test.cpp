@@ -231,5 +231,23 @@ TEST(Odometry, RefusesOptionsOutOfTheirRange) {
   EXPECT_THROW((Odometry{{}, -1.0}), std::invalid_argument);
 }
 
+TEST(Odometry, AFrameThatContradictsTheModelIsMarkedAndNotMerged) {
+  OdometryOptions options = small_images();
+  options.max_strain = 1e-6;  // what no frame keeps to
+  options.max_lost = 3;
+  Odometry odometry(options);
+  odometry.add(0.0, frame(0));
+  for (int k = 1; k <= 3; ++k) {
+    const FrameReport report = odometry.add(k * kFramePeriod_s, frame(k));
+    EXPECT_EQ(report.status, FrameStatus::Doubtful) << k;
+    EXPECT_TRUE(has_pose(report.status));
+    EXPECT_FALSE(report.is_keyframe);
+    EXPECT_GT(report.strain, 0.0);
+  }
+  const FrameReport next = odometry.add(4 * kFramePeriod_s, frame(4));
+  EXPECT_EQ(next.status, FrameStatus::Started);
+  EXPECT_EQ(next.segment, 1);
+}
+
 }  // namespace
 }  // namespace augicp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/registration/coarse_to_fine.h"
 
+#include "augicp/registration/judge.h"
 #include "augicp/registration/levels.h"
 #include "augicp/registration/readout_motion.h"
 #include "augicp/registration/rolling_shutter.h"
@@ -34,7 +35,8 @@ Start thinned_start(const Scan& source, const Scan& target, Start start, bool be
     const SkewedPair scans = straightened(thin_source, thin_target, start.readout, options.num_threads);
     const Level level(scans.straight_source, scans.straight_target, lengths, options);
     const AlignResult result = level.align(start.target_from_source, level.usual_options());
-    if (!has_pose(result.status)) return start;
+    // What no data hold is held at the guess, which only the last loop can do: no step before it may move it.
+    if (!has_pose(result.status) || result.status == AlignStatus::Degenerate) return start;
     start.target_from_source = result.target_from_source;
     if (round < kReadoutRounds && bends)
       start.readout = improved(start.readout, scans, level.pairs(start.target_from_source), start.target_from_source);
@@ -44,8 +46,10 @@ Start thinned_start(const Scan& source, const Scan& target, Start start, bool be
 
 AlignResult at_full_resolution(const Scan& source, const Scan& target, const Rigid3& start, const Lengths& lengths,
                                const RegistrationOptions& options) {
-  return align(source.cloud, *matcher_for(target, options.association), start,
-               align_options(lengths, is_projective(target, options.association), options));
+  const bool projective = is_projective(target, options.association);
+  const std::unique_ptr<Matcher> matcher = matcher_for(target, projective);
+  const AlignOptions align_by = align_options(lengths, projective, options);
+  return judged(align(source.cloud, *matcher, start, align_by), source, target, *matcher, lengths, align_by);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace augicp {
 struct Hypothesis {
   Rigid3 target_from_source;  // between the clouds' frames
   double plausibility = 0.0;  // see plausibility(), both ways
+  bool is_free = false;       // some motion that the clouds do not show leads to it as well
 };
 
 // What an agreement says of a pose, from 1 (all points are seen again) down. Where a pose is right, nearly all that is

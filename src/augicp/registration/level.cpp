@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "augicp/registration/hypotheses.h"
+#include "augicp/registration/judge.h"
 
 namespace augicp {
 namespace {
@@ -26,21 +27,18 @@ bool is_projective(const Scan& target, Association association) {
   return target.view && association != Association::Nearest;
 }
 
-std::unique_ptr<Matcher> matcher_for(const Scan& target, Association association) {
-  if (!is_projective(target, association)) return std::make_unique<NearestMatcher>(target.cloud);
-  return std::make_unique<ProjectiveMatcher>(target.cloud, target.view->index, target.view->camera);
-}
-
 Level::Level(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options)
     : source_(std::move(source)),
       target_(std::move(target)),
       lengths_(lengths),
       options_(options),
-      in_target_(matcher_for(target_, options.association)),
-      in_source_(matcher_for(source_, source_.view ? options.association : Association::Nearest)) {}
+      in_target_(matcher_for(target_, is_projective(target_, options.association))),
+      in_source_(matcher_for(source_, source_.view && options.association != Association::Nearest)) {}
 
 AlignOptions Level::usual_options() const {
-  return align_options(lengths_, is_projective(target_, options_.association), options_);
+  AlignOptions options = align_options(lengths_, is_projective(target_, options_.association), options_);
+  options.correlation_length = 0.0;  // nobody asks how sure a start is
+  return options;
 }
 
 AlignResult Level::align(const Rigid3& guess, const AlignOptions& options) const {
@@ -63,7 +61,8 @@ std::vector<Correspondence> Level::pairs(const Rigid3& target_from_source) const
 }
 
 bool has_pose(AlignStatus status) {
-  return status == AlignStatus::Converged || status == AlignStatus::IterationLimit || status == AlignStatus::Degenerate;
+  return status == AlignStatus::Converged || status == AlignStatus::IterationLimit || status == AlignStatus::Degenerate ||
+         status == AlignStatus::Doubtful;
 }
 
 }  // namespace augicp

@@ -10,9 +10,6 @@ namespace augicp {
 // Are pairs found through the target's camera? Throws std::invalid_argument where that is asked for and there is none.
 bool is_projective(const Scan& target, Association association);
 
-// The matcher for a target, which must outlive it.
-std::unique_ptr<Matcher> matcher_for(const Scan& target, Association association);
-
 // Two prepared scans and how pairs are found in them, both ways. Poses are between the clouds' frames.
 class Level {
  public:

@@ -19,6 +19,9 @@ constexpr double kGatePerMedianNearest = 4.0;
 
 constexpr double kMinKernelPerRadius = 0.01;
 
+// Two points share a part of the neighbours from which their directions come up to two radii apart.
+constexpr double kCorrelationPerRadius = 2.0;
+
 // The paper gives no K. 1 is 3.2 cm off a plane under Table 2, in the middle of the range that works on depth images.
 constexpr double kPaperKernelChi2 = 1.0;
 
@@ -97,6 +100,7 @@ AlignOptions align_options(const Lengths& lengths, bool projective, const Regist
   align.max_iterations = options.max_iterations;
   align.min_translation_step = options.min_step * lengths.extent;
   align.min_rotation_step = options.min_step;
+  align.correlation_length = kCorrelationPerRadius * lengths.radius;
   align.num_threads = options.num_threads;
   return align;
 }

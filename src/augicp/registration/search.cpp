@@ -27,6 +27,7 @@ constexpr double kConvincing = 0.5;
 
 constexpr std::size_t kMaxCandidates = 4;
 constexpr double kSameAngle = 3.0 * kDegree;  // candidates nearer than this, and than a ball's radius, are one
+constexpr double kOwnAngle = 8.5 * kDegree;   // half of the smallest turn: what is nearer came from the guess
 constexpr int kImageIterations = 10, kCloudIterations = 20, kMiddleIterations = 20;
 
 // Without a camera, points far off have no partner on their line of sight, only the nearest: far gates, pairs whatever
@@ -55,7 +56,8 @@ Vec3d pivot_of(const Scan& scan) {
 std::optional<Hypothesis> led_on(const Level& level, const Rigid3& start, const AlignOptions& options) {
   const AlignResult result = level.align(start, options);
   if (!has_pose(result.status)) return std::nullopt;
-  return Hypothesis{result.target_from_source, level.plausibility(result.target_from_source)};
+  return Hypothesis{result.target_from_source, level.plausibility(result.target_from_source),
+                    result.status == AlignStatus::Degenerate};
 }
 
 std::vector<Hypothesis> led_on(const Level& level, const std::vector<Rigid3>& starts, const AlignOptions& options) {
@@ -88,7 +90,10 @@ Rigid3 search_start(const Scan& source, const Scan& target, const Rigid3& guess_
   for (const Hypothesis& candidate : candidates)
     if (const auto hypothesis = led_on(middle, candidate.target_from_source, by)) refined.push_back(*hypothesis);
   const auto best = best_of(refined, 1, 0.0, 0.0);
-  return best.empty() ? guess_target_from_source : best.front().target_from_source;
+  // Before a wall the guess says what the wall does not, and must not be taken along by few and noisy points.
+  const bool is_guess = best.empty() || (best.front().is_free && angle_between(best.front().target_from_source,
+                                                                               guess_target_from_source) < kOwnAngle);
+  return is_guess ? guess_target_from_source : best.front().target_from_source;
 }
 
 }  // namespace augicp

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/align/free_motions.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace augicp {
+namespace {
+
+// A free direction is a pure translation where less than this part of it turns, in the metric of observability.h. Noise gives
+// a translation a hundredth of a turn; a turn about an axis three gyration radii away has this part.
+constexpr double kMaxTurnOfTranslation = 0.3;
+
+// A turn whose pitch is below this many gyration radii a radian is taken as a plain one.
+constexpr double kMaxPitchOfRotation = 0.1;
+
+using Subspace = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+// About the centroid, turns times the radius of gyration: orthonormal columns again.
+Subspace scaled(const Observability& observability, int num_free) {
+  Subspace free = observability.directions.leftCols(num_free);
+  for (int k = 0; k < num_free; ++k) {
+    const Vec3d turn = free.col(k).tail<3>();
+    free.col(k).head<3>() += turn.cross(observability.centroid);
+    free.col(k).tail<3>() = observability.gyration * turn;
+  }
+  return free;
+}
+
+FreeMotion motion_of(const Vec6d& direction, const Observability& observability, const Vec3d& target_origin) {
+  const Vec3d centroid = observability.centroid + target_origin;
+  const Vec3d translation = direction.head<3>(), turn = direction.tail<3>() / observability.gyration;
+  if (direction.tail<3>().norm() < kMaxTurnOfTranslation)
+    return {FreeMotion::Kind::Translation, translation.normalized(), centroid, 0.0};
+  FreeMotion motion{FreeMotion::Kind::Rotation, turn.normalized(), centroid + turn.cross(translation) / turn.squaredNorm(),
+                    turn.dot(translation) / turn.squaredNorm()};
+  if (std::abs(motion.pitch) < kMaxPitchOfRotation * observability.gyration)
+    motion.pitch = 0.0;
+  else
+    motion.kind = FreeMotion::Kind::Screw;
+  return motion;
+}
+
+}  // namespace
+
+std::string_view name_of(FreeMotion::Kind kind) {
+  constexpr std::array<std::string_view, 3> kNames{"translation", "rotation", "screw"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::vector<FreeMotion> free_motions(const Observability& observability, int num_free, const Vec3d& target_origin) {
+  if (num_free <= 0 || !(observability.gyration > 0.0)) return {};
+  // Any turn of the basis within the free directions spans the same. This one has as much turning in as few of them as
+  // can be, which leaves the rest pure translations.
+  const Subspace free = scaled(observability, num_free);
+  const Eigen::MatrixXd turns = free.bottomRows<3>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(turns, Eigen::ComputeFullV);
+  const Subspace basis = free * svd.matrixV();
+  std::vector<FreeMotion> motions;
+  for (int k = num_free - 1; k >= 0; --k) motions.push_back(motion_of(basis.col(k), observability, target_origin));
+  return motions;
+}
+
+}  // namespace augicp

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/align/residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "augicp/align/median.h"
+
+namespace augicp {
+namespace {
+
+ResidualStatistics statistics_of(std::vector<float> errors) {
+  ResidualStatistics statistics{static_cast<std::int64_t>(errors.size()), 0.0};
+  if (!errors.empty()) statistics.median = median(std::move(errors));
+  return statistics;
+}
+
+float angle_of(float cosine) { return std::acos(std::clamp(cosine, -1.0f, 1.0f)); }
+
+}  // namespace
+
+Residuals residuals(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                    const Rigid3& target_from_source) {
+  if (!source.has_directions() || !target.has_directions()) return {};
+  const Eigen::Matrix3f rotation = target_from_source.rotation.toRotationMatrix().cast<float>();
+  const Vec3f translation = target_from_source.translation.cast<float>();
+  const bool with_sign = normals_have_signs(source, target);
+  std::vector<float> distances, normal_angles, tangent_angles;
+  for (const Correspondence& pair : pairs) {
+    const Structure structure = target.structures[pair.target];
+    const Vec3f& direction = target.directions[pair.target];
+    if (structure == Structure::Planar) {
+      const Vec3f error = rotation * source.points[pair.source] + translation - target.points[pair.target];
+      distances.push_back(std::abs(direction.dot(error)));
+    }
+    if (structure == Structure::None || source.structures[pair.source] != structure) continue;
+    const float cosine = direction.dot(rotation * source.directions[pair.source]);
+    if (structure == Structure::Planar)
+      normal_angles.push_back(angle_of(with_sign ? cosine : std::abs(cosine)));
+    else
+      tangent_angles.push_back(angle_of(std::abs(cosine)));
+  }
+  return {statistics_of(std::move(distances)), statistics_of(std::move(normal_angles)),
+          statistics_of(std::move(tangent_angles))};
+}
+
+}  // namespace augicp

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/align/verdict.h"
+
+#include <algorithm>
+#include <array>
+
+#include "augicp/core/check.h"
+
+namespace augicp {
+namespace {
+
+double share(std::int64_t part, std::int64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+// What should have been visible.
+std::int64_t visible(const Agreement& count) { return count.seen() - count.hidden; }
+
+void require_share(const char* name, double value) {
+  require(value >= 0.0 && value < 1.0, name, value, "must be from 0 to below 1");
+}
+
+// Each doubt's part of what is allowed, in the order of the enumeration.
+std::array<double, 3> strains(const Testimony& testimony, const VerdictLimits& limits) {
+  const double min_agreeing =
+      testimony.knows_free_space ? limits.min_agreeing : limits.min_agreeing_without_camera;
+  return {(1.0 - testimony.seen()) / (1.0 - limits.min_seen), (1.0 - testimony.agreeing()) / (1.0 - min_agreeing),
+          testimony.conflicting() / limits.max_conflicting};
+}
+
+// Of both sides: what one cloud says against the pose the other cannot make good.
+std::array<double, 3> strains(const Evidence& evidence, const VerdictLimits& limits) {
+  const auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
+  return {std::max(one[0], other[0]), std::max(one[1], other[1]), std::max(one[2], other[2])};
+}
+
+bool has_settled(const Evidence& evidence, const VerdictLimits& limits) {
+  return evidence.last_step < limits.max_last_step && evidence.last_rotation_step < limits.max_last_rotation_step;
+}
+
+}  // namespace
+
+double Testimony::seen() const { return share(visible(count), count.total()); }
+double Testimony::agreeing() const { return share(count.agree, visible(count)); }
+double Testimony::conflicting() const { return share(count.conflict, visible(count)); }
+
+void VerdictLimits::check() const {
+  require_share("min_seen", min_seen);
+  require_share("min_agreeing", min_agreeing);
+  require_share("min_agreeing_without_camera", min_agreeing_without_camera);
+  require_positive("max_conflicting", max_conflicting);
+  require_not_negative("max_last_step", max_last_step);
+  require_not_negative("max_last_rotation_step", max_last_rotation_step);
+}
+
+std::string_view name_of(Doubt doubt) {
+  constexpr std::array<std::string_view, 3> kNames{"little_seen", "disagreement", "free_space"};
+  return kNames[static_cast<std::size_t>(doubt)];
+}
+
+double strain(const Evidence& evidence, const VerdictLimits& limits) {
+  const auto all = strains(evidence, limits);
+  return *std::max_element(all.begin(), all.end());
+}
+
+Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimits& limits) {
+  Verdict verdict{reached, {}};
+  const auto all = strains(evidence, limits);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (!(all[k] <= 1.0)) verdict.doubts.push_back(static_cast<Doubt>(k));
+  if (reached != AlignStatus::Converged && reached != AlignStatus::IterationLimit) return verdict;
+  if (!verdict.doubts.empty())
+    verdict.status = AlignStatus::Doubtful;
+  else if (has_settled(evidence, limits))
+    verdict.status = AlignStatus::Converged;
+  return verdict;
+}
+
+}  // namespace augicp

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Is a pose that was found the right one? Decided here and only here, from plain numbers.
+//
+// That the loop ended says nothing: it ends in wrong minima too, and between clouds that have nothing in common. What
+// speaks against a wrong pose is what each cloud says of the other: points that the other's camera saw through, points
+// behind its surface, points beside it or turned against it. A right pose leaves a few per cent of these in both
+// directions, whatever share of the clouds overlaps.
+#pragma once
+
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "augicp/align/residuals.h"
+#include "augicp/align/status.h"
+#include "augicp/match/agreement.h"
+
+namespace augicp {
+
+// What one cloud says of the other, as shares in [0, 1].
+struct Testimony {
+  Agreement count;
+  bool knows_free_space = false;  // it is a depth image: it says what its camera saw through
+
+  // Points behind the other's surface are left out: the camera could not see them under a right pose either. What a wrong
+  // pose hides on one side conflicts on the other.
+  double seen() const;         // of all points: should have been visible to the other sensor
+  double agreeing() const;     // of those: found again on a surface turned alike; 0 where there are none
+  double conflicting() const;  // of those: in front of what the camera saw
+};
+
+// All that is known of a pose that was found.
+struct Evidence {
+  Testimony source_in_target, target_in_source;
+  Residuals residuals;
+  double last_step = std::numeric_limits<double>::infinity();           // of the loop, as a part of the clouds' extent
+  double last_rotation_step = std::numeric_limits<double>::infinity();  // radians
+  double observability = 1.0;       // of the weakest direction, see observability.h
+};
+
+// What a trusted pose must keep to. docs/verdict.md has the measurements behind each number.
+struct VerdictLimits {
+  // Fewer points than this share in each other's sight are too few witnesses. Right poses of clouds that overlap by
+  // 30 % have 0.25 and more; in half of the cases poses of clouds without common surface have less than this.
+  double min_seen = 0.2;
+
+  // The least share of these that agrees. Right poses of depth images have 0.86 and more in 99 of 100 cases, wrong ones
+  // less than 0.9 in nine of ten. Without a camera what lies far off is merely unseen, so that more must agree.
+  double min_agreeing = 0.8;
+  double min_agreeing_without_camera = 0.93;
+
+  // The largest share of points in front of what the other camera saw. Grazing surfaces and pixels on depth jumps give up
+  // to 0.03 under right poses; wrong ones have more in 19 of 20 cases.
+  double max_conflicting = 0.04;
+
+  // The loop counts as ended when its last step is below, parts of the extent and radians. Pairs of pixels change with every
+  // step, so that it may go on by a tenth of a millimetre for ever; far from a minimum its steps stay above this.
+  double max_last_step = 4e-4;
+  double max_last_rotation_step = 1e-3;
+
+  // Throws std::invalid_argument naming the first limit out of its range.
+  void check() const;
+};
+
+// Why a pose is doubted.
+enum class Doubt {
+  LittleSeen,    // too few points are in reach of the other cloud
+  Disagreement,  // too few of these are on the other's surface
+  FreeSpace,     // too many lie where the other's camera saw through
+};
+std::string_view name_of(Doubt doubt);
+
+struct Verdict {
+  AlignStatus status = AlignStatus::Doubtful;
+  std::vector<Doubt> doubts;  // of the status Doubtful, and beside others; in the order above
+};
+
+// The evidence's largest part of what is allowed it, of the doubts alone: above 1 where there is a doubt.
+double strain(const Evidence& evidence, const VerdictLimits& limits = {});
+
+// The status of a pose with which the loop ended in `reached`: Converged, or IterationLimit where it was stopped. These two
+// become Converged, IterationLimit or Doubtful; all others, which are known without evidence, stay.
+Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimits& limits = {});
+
+}  // namespace augicp

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/align/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace augicp {
+namespace {
+
+// Of 1000 points: 600 seen, nearly all of them agreeing.
+Evidence good_evidence() {
+  Evidence evidence;
+  evidence.source_in_target = {{.agree = 570, .differ = 25, .conflict = 5, .hidden = 100, .unseen = 300}, true};
+  evidence.target_in_source = evidence.source_in_target;
+  evidence.last_step = evidence.last_rotation_step = 1e-6;
+  return evidence;
+}
+
+TEST(Verdict, AgreementBothWaysConverges) {
+  const Verdict verdict = decide(AlignStatus::Converged, good_evidence());
+  EXPECT_EQ(verdict.status, AlignStatus::Converged);
+  EXPECT_TRUE(verdict.doubts.empty());
+  EXPECT_LE(strain(good_evidence()), 1.0);
+}
+
+TEST(Verdict, EachSideAloneCanRaiseEachDoubt) {
+  const Agreement little{.agree = 100, .unseen = 900};
+  const Agreement beside{.agree = 300, .differ = 150, .hidden = 150, .unseen = 300};
+  const Agreement seen_through{.agree = 550, .conflict = 50, .unseen = 400};
+  const std::pair<Agreement, Doubt> cases[] = {
+      {little, Doubt::LittleSeen}, {beside, Doubt::Disagreement}, {seen_through, Doubt::FreeSpace}};
+  for (const auto& [count, doubt] : cases)
+    for (Testimony Evidence::*side : {&Evidence::source_in_target, &Evidence::target_in_source}) {
+      Evidence evidence = good_evidence();
+      (evidence.*side).count = count;
+      const Verdict verdict = decide(AlignStatus::Converged, evidence);
+      EXPECT_EQ(verdict.status, AlignStatus::Doubtful) << name_of(doubt);
+      EXPECT_EQ(verdict.doubts, std::vector<Doubt>{doubt}) << name_of(doubt);
+      EXPECT_GT(strain(evidence), 1.0) << name_of(doubt);
+    }
+}
+
+TEST(Verdict, WithoutACameraMoreMustAgree) {
+  Evidence evidence = good_evidence();
+  evidence.source_in_target.count = {.agree = 540, .differ = 60, .unseen = 400};
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  evidence.source_in_target.knows_free_space = false;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
+}
+
+TEST(Verdict, NoWitnessIsADoubt) {
+  EXPECT_EQ(decide(AlignStatus::Converged, {}).status, AlignStatus::Doubtful);
+}
+
+TEST(Verdict, ALoopThatStoppedConvergedOnlyIfItHadSettled) {
+  Evidence evidence = good_evidence();
+  EXPECT_EQ(decide(AlignStatus::IterationLimit, evidence).status, AlignStatus::Converged);
+  evidence.last_step = 0.01;
+  EXPECT_EQ(decide(AlignStatus::IterationLimit, evidence).status, AlignStatus::IterationLimit);
+  evidence = good_evidence();
+  evidence.last_rotation_step = 0.01;
+  EXPECT_EQ(decide(AlignStatus::IterationLimit, evidence).status, AlignStatus::IterationLimit);
+  evidence.target_in_source.count = {};
+  EXPECT_EQ(decide(AlignStatus::IterationLimit, evidence).status, AlignStatus::Doubtful);
+}
+
+// What is known without evidence no evidence improves.
+TEST(Verdict, OtherStatusesStay) {
+  for (const AlignStatus status :
+       {AlignStatus::Degenerate, AlignStatus::TooFewPairs, AlignStatus::NoOverlap, AlignStatus::Diverged}) {
+    EXPECT_EQ(decide(status, good_evidence()).status, status);
+    EXPECT_EQ(decide(status, {}).status, status);
+  }
+}
+
+TEST(Verdict, SharesAreOfWhatShouldHaveBeenVisible) {
+  const Testimony testimony = good_evidence().source_in_target;
+  EXPECT_DOUBLE_EQ(testimony.seen(), 0.6);
+  EXPECT_DOUBLE_EQ(testimony.agreeing(), 0.95);
+  EXPECT_DOUBLE_EQ(testimony.conflicting(), 5.0 / 600.0);
+  EXPECT_EQ(Testimony{}.seen(), 0.0);
+  EXPECT_EQ(Testimony{}.agreeing(), 0.0);
+}
+
+TEST(Verdict, LimitsAreChecked) {
+  VerdictLimits limits;
+  EXPECT_NO_THROW(limits.check());
+  limits.min_agreeing = 1.0;
+  EXPECT_THROW(limits.check(), std::invalid_argument);
+  limits = {};
+  limits.max_conflicting = 0.0;
+  EXPECT_THROW(limits.check(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/judge.h"
+
+#include <gtest/gtest.h>
+
+#include "augicp/registration/registration.h"
+#include "augicp/testing/poses.h"
+#include "augicp/testing/rendering.h"
+#include "augicp/testing/scenes.h"
+
+namespace augicp {
+namespace {
+
+Scan seen_from(const Rigid3& world_from_camera, unsigned seed, unsigned room = 1) {
+  const Pinhole camera = testing::kinect_like_camera(160);
+  DepthImage image = testing::render(testing::room(room), camera, camera.width, camera.height, world_from_camera).depth;
+  testing::add_depth_noise(image, testing::kKinectSigmaAt1m, seed);
+  return scan_of(image, camera);
+}
+
+Scan as_cloud(const Scan& scan) {
+  Cloud cloud = scan.cloud;
+  cloud.viewpoint.reset();
+  return scan_of(std::move(cloud));
+}
+
+struct Pair {
+  Scan source, target;
+  Rigid3 target_from_source;
+};
+
+Pair near_pair() {
+  const Rigid3 world_from_target = testing::room().world_from_camera;
+  std::mt19937 generator(3);
+  const Rigid3 motion = testing::random_motion(generator, 0.1, 0.1);
+  return {seen_from(world_from_target * motion, 1), seen_from(world_from_target, 2), motion};
+}
+
+// robustness 11: opposite walls of one room, and two rooms. Neither pair has a common surface.
+std::vector<Pair> pairs_without_overlap() {
+  const Rigid3 left = testing::look_at({0.4, -0.4, 1.4}, {-2.5, -0.2, 0.8});
+  const Rigid3 right = testing::look_at({0.4, -0.4, 1.4}, {2.5, -0.2, 0.8});
+  return {{seen_from(left, 1), seen_from(right, 2), {}}, {seen_from(left, 1), seen_from(left, 2, 7), {}}};
+}
+
+Evidence evidence_at(const Pair& pair, const Rigid3& pose) {
+  const RegistrationOptions options;
+  const Lengths lengths = lengths_for(pair.source, pair.target, options);
+  const Scan source = prepare(pair.source, lengths, options), target = prepare(pair.target, lengths, options);
+  const auto matcher = matcher_for(target, target.view.has_value());
+  return gather_evidence(source, target, *matcher, pose, lengths, align_options(lengths, target.view.has_value(), options));
+}
+
+TEST(Judge, TheRightPoseHasWitnessesBothWays) {
+  const Pair pair = near_pair();
+  const Evidence evidence = evidence_at(pair, pair.target_from_source);
+  for (const Testimony& side : {evidence.source_in_target, evidence.target_in_source}) {
+    EXPECT_TRUE(side.knows_free_space);
+    EXPECT_GT(side.seen(), 0.7);
+    EXPECT_GT(side.agreeing(), 0.9);
+    EXPECT_LT(side.conflicting(), 0.02);
+  }
+  EXPECT_LT(evidence.residuals.point.median, 0.02);
+  EXPECT_LT(evidence.residuals.normal.median, 0.05);
+}
+
+TEST(Judge, AWrongPoseHasWitnessesAgainstIt) {
+  const Pair pair = near_pair();
+  const Rigid3 off{Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Vec3d::UnitY())), {0.2, 0, 0}};
+  EXPECT_GT(strain(evidence_at(pair, pair.target_from_source * off)), 2.0);
+  const Pair clouds{as_cloud(pair.source), as_cloud(pair.target), pair.target_from_source};
+  EXPECT_GT(strain(evidence_at(clouds, pair.target_from_source * off)), 2.0);
+}
+
+// Swapping the clouds swaps the witnesses, and so leaves the verdict.
+TEST(Judge, SwappingChangesNothing) {
+  const Pair pair = near_pair();
+  const Evidence one = evidence_at(pair, pair.target_from_source);
+  const Evidence other = evidence_at({pair.target, pair.source, {}}, inverse(pair.target_from_source));
+  EXPECT_EQ(one.source_in_target.count, other.target_in_source.count);
+  EXPECT_EQ(one.target_in_source.count, other.source_in_target.count);
+}
+
+TEST(Judge, RegistrationOfANearPairIsTrusted) {
+  const Pair pair = near_pair();
+  const AlignResult images = register_scans(pair.source, pair.target);
+  EXPECT_EQ(images.status, AlignStatus::Converged);
+  ASSERT_TRUE(images.evidence);
+  EXPECT_TRUE(images.doubts.empty());
+  const AlignResult clouds = register_scans(as_cloud(pair.source), as_cloud(pair.target));
+  EXPECT_EQ(clouds.status, AlignStatus::Converged);
+  EXPECT_FALSE(clouds.evidence->source_in_target.knows_free_space);
+}
+
+TEST(Judge, WithoutCommonSurfaceNothingIsTrusted) {
+  for (const Pair& pair : pairs_without_overlap())
+    EXPECT_NE(register_scans(pair.source, pair.target).status, AlignStatus::Converged);
+}
+
+// robustness 11: 100 m apart. That is no pose at all.
+TEST(Judge, FarApartIsNoOverlap) {
+  const Pair pair = near_pair();
+  const Rigid3 far{Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}};
+  EXPECT_EQ(register_scans(pair.source, pair.target, far).status, AlignStatus::NoOverlap);
+  EXPECT_EQ(register_scans(as_cloud(pair.source), as_cloud(pair.target), far).status, AlignStatus::NoOverlap);
+}
+
+TEST(Judge, ThreadsGiveTheSameEvidence) {
+  const Pair pair = near_pair();
+  RegistrationOptions options;
+  options.num_threads = 1;
+  const Evidence one = *register_scans(pair.source, pair.target, {}, options).evidence;
+  options.num_threads = 4;
+  const Evidence four = *register_scans(pair.source, pair.target, {}, options).evidence;
+  EXPECT_EQ(one.source_in_target.count, four.source_in_target.count);
+  EXPECT_EQ(one.target_in_source.count, four.target_in_source.count);
+  EXPECT_EQ(one.residuals.point.median, four.residuals.point.median);
+}
+
+}  // namespace
+}  // namespace augicp
