@@ -84,6 +84,20 @@ class ExperimentTest(unittest.TestCase):
         self.assertLess(damped[1], damped[0])
         self.assertAlmostEqual(stuck[-1], stuck[0], 4)
 
+    def test_what_goes_beyond_the_paper_finds_from_farther(self):
+        """At gap 20, from the identity: the loop alone loses pairs that the whole registration finds."""
+        far = ("sequence", DESK, "--camera", "tum-fr1", "--pixel-step", 4, "--presets", "default", "--methods", "augmented",
+               "--gaps", 20, "--pairs", 5, "--time-offset", -0.022)
+        success = lambda *words: float(rows(*far, *words)[-1]["success"])
+        whole = ("--search", "--coarse-to-fine", "--rolling-shutter")
+        self.assertGreater(success(*whole), success())
+        self.assertGreaterEqual(success("--from-truth", *whole), success(*whole))
+
+    def test_from_truth_starts_there(self):
+        start = rows(*PAPER, "--gaps", 10, "--pairs", 3, "--methods", "augmented", "--from-truth")[0]
+        self.assertEqual(start["iteration"], "0")
+        self.assertLess(float(start["translation_mean"]), 1e-9)
+
     def test_repeats_bit_for_bit(self):
         for words in (SYNTHETIC, (*SEQUENCE, "--methods", "augmented"),
                       ("basin", ROOM / "source.ply", ROOM / "target.ply", "--truth", ROOM / "T_target_source.txt",

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "apps/augicp/beyond_paper.h"
 #include "apps/augicp/commands.h"
 #include "apps/augicp/experiment_commands.h"
 #include "apps/augicp/inputs.h"
@@ -60,6 +61,7 @@ void add_verdict_experiment(CLI::App& experiment, int& exit_code) {
   command->add_option("--time-offset", options.time_offset_s, "Truth is read at stamp + offset, seconds")->capture_default_str()->group("Input");
   command->add_flag("--as-clouds", options.as_clouds, "Forget the cameras: bare points, nearest neighbours")->group("Method");
   command->add_option("--threads", options.registration.num_threads, "0: all; the result is the same for any number")->capture_default_str()->group("Method");
+  add_beyond_paper(*command, options.registration);
   add_experiment_output(*command, arguments->output);
   command->add_option("--table", arguments->table, "Write the confusion table to a file (default: stdout)")->group("Output");
   command->add_option("--roc", arguments->roc, "Write what other limits would accept and refuse, CSV")->group("Output");

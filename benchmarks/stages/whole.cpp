@@ -11,7 +11,7 @@ namespace {
 constexpr auto kMs = benchmark::kMillisecond;
 
 RegistrationOptions options_with(int num_threads, int max_iterations) {
-  RegistrationOptions options;
+  RegistrationOptions options = iterations_alone();
   options.num_threads = num_threads;
   options.max_iterations = max_iterations;
   options.min_step = 0.0;

@@ -16,7 +16,8 @@ def measure(data, output):
     images = sorted((data / "fr1_desk_a/depth").glob("*.png"))
     for method in METHODS:
         figures.augicp("basin", images[10], images[5], "--camera", "tum-fr1", "--angles-deg", "20,30,45,60", "--distances",
-                       "0,0.3,0.6", "--starts", 4, "--max-iterations", 30, "--method", method, "--output",
+                       "0,0.3,0.6", "--starts", 4, "--max-iterations", 30, "--method", method,
+                       "--no-search", "--no-coarse-to-fine", "--no-rolling-shutter", "--output",
                        output / f"basin_{method}.csv")
 
 
