@@ -43,7 +43,7 @@ TEST(Verdict, EachSideAloneCanRaiseEachDoubt) {
 
 TEST(Verdict, WithoutACameraMoreMustAgree) {
   Evidence evidence = good_evidence();
-  evidence.source_in_target.count = {.agree = 540, .differ = 60, .unseen = 400};
+  evidence.source_in_target.count = {.agree = 498, .differ = 102, .unseen = 400};
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
   evidence.source_in_target.knows_free_space = false;
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
