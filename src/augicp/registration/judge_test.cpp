@@ -5,17 +5,16 @@
 
 #include "augicp/registration/registration.h"
 #include "augicp/testing/poses.h"
-#include "augicp/testing/rendering.h"
+#include "augicp/testing/room_pair.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
 namespace {
 
+using Pair = testing::ScanPair;
+
 Scan seen_from(const Rigid3& world_from_camera, unsigned seed, unsigned room = 1) {
-  const Pinhole camera = testing::kinect_like_camera(160);
-  DepthImage image = testing::render(testing::room(room), camera, camera.width, camera.height, world_from_camera).depth;
-  testing::add_depth_noise(image, testing::kKinectSigmaAt1m, seed);
-  return scan_of(image, camera);
+  return testing::noisy_view(testing::room(room), world_from_camera, seed);
 }
 
 Scan as_cloud(const Scan& scan) {
@@ -24,16 +23,9 @@ Scan as_cloud(const Scan& scan) {
   return scan_of(std::move(cloud));
 }
 
-struct Pair {
-  Scan source, target;
-  Rigid3 target_from_source;
-};
-
 Pair near_pair() {
-  const Rigid3 world_from_target = testing::room().world_from_camera;
   std::mt19937 generator(3);
-  const Rigid3 motion = testing::random_motion(generator, 0.1, 0.1);
-  return {seen_from(world_from_target * motion, 1), seen_from(world_from_target, 2), motion};
+  return testing::room_pair(testing::random_motion(generator, 0.1, 0.1));
 }
 
 // robustness 11: opposite walls of one room, and two rooms. Neither pair has a common surface.

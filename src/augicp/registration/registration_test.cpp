@@ -11,7 +11,7 @@
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
-#include "augicp/testing/rendering.h"
+#include "augicp/testing/room_pair.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
@@ -19,23 +19,11 @@ namespace {
 
 using testing::NearPose;
 
-struct Pair {
-  Scan source, target;
-  Rigid3 target_from_source;
-};
+using Pair = testing::ScanPair;
 
-// A generated room seen by a Kinect-like camera from two places.
 Pair room_pair(double angle_rad, double distance_m) {
-  const testing::Scene room = testing::room();
-  const Pinhole camera = testing::kinect_like_camera(160);
   std::mt19937 generator(3);
-  const Rigid3 target_from_source = testing::random_motion(generator, angle_rad, distance_m);
-  const Rigid3 world_from_source = room.world_from_camera * target_from_source;
-  DepthImage source = testing::render(room, camera, camera.width, camera.height, world_from_source).depth;
-  DepthImage target = testing::render(room, camera).depth;
-  testing::add_depth_noise(source, testing::kKinectSigmaAt1m, 1);
-  testing::add_depth_noise(target, testing::kKinectSigmaAt1m, 2);
-  return {scan_of(source, camera), scan_of(target, camera), target_from_source};
+  return testing::room_pair(testing::random_motion(generator, angle_rad, distance_m));
 }
 
 // The same without images.

@@ -7,30 +7,18 @@
 #include "augicp/registration/registration.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
-#include "augicp/testing/rendering.h"
-#include "augicp/testing/scenes.h"
+#include "augicp/testing/room_pair.h"
 
 namespace augicp {
 namespace {
 
 using testing::NearPose;
 
-struct Pair {
-  Scan source, target;
-  Rigid3 target_from_source;
-};
+using Pair = testing::ScanPair;
 
-// A room from two places, the camera turned by so much between them.
+// The camera turned by so much, and moved, between the images.
 Pair room_pair(double angle_rad) {
-  const testing::Scene room = testing::room();
-  const Pinhole camera = testing::kinect_like_camera(160);
-  const Rigid3 target_from_source{rotation_exp(angle_rad * Vec3d(0.6, 0.64, 0.48)), {0.1, -0.05, 0.1}};
-  DepthImage source =
-      testing::render(room, camera, camera.width, camera.height, room.world_from_camera * target_from_source).depth;
-  DepthImage target = testing::render(room, camera).depth;
-  testing::add_depth_noise(source, testing::kKinectSigmaAt1m, 1);
-  testing::add_depth_noise(target, testing::kKinectSigmaAt1m, 2);
-  return {scan_of(source, camera), scan_of(target, camera), target_from_source};
+  return testing::room_pair({rotation_exp(angle_rad * Vec3d(0.6, 0.64, 0.48)), {0.1, -0.05, 0.1}});
 }
 
 RegistrationOptions without_search() {
