@@ -179,8 +179,7 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
     visited.push_back(pose);
   }
   result.target_from_source = with_origins(pose, source, target);
-  const bool reached = result.status == AlignStatus::Converged || result.status == AlignStatus::IterationLimit;
-  if (reached) judge_observability(source, target, pose, pass, options, result);
+  if (has_pose(result.status)) judge_observability(source, target, pose, pass, options, result);
   return result;
 }
 

@@ -11,4 +11,9 @@ std::string_view name_of(AlignStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
+bool has_pose(AlignStatus status) {
+  return status == AlignStatus::Converged || status == AlignStatus::IterationLimit || status == AlignStatus::Degenerate ||
+         status == AlignStatus::Doubtful;
+}
+
 }  // namespace augicp

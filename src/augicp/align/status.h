@@ -17,4 +17,7 @@ enum class AlignStatus {
 };
 std::string_view name_of(AlignStatus status);
 
+// Whether it ended with a pose of its own, to be trusted or not.
+bool has_pose(AlignStatus status);
+
 }  // namespace augicp

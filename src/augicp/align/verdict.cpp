@@ -34,10 +34,6 @@ std::array<double, 3> strains(const Evidence& evidence, const VerdictLimits& lim
   return {std::max(one[0], other[0]), std::max(one[1], other[1]), std::max(one[2], other[2])};
 }
 
-bool has_settled(const Evidence& evidence, const VerdictLimits& limits) {
-  return evidence.last_step < limits.max_last_step && evidence.last_rotation_step < limits.max_last_rotation_step;
-}
-
 }  // namespace
 
 double Testimony::seen() const { return share(visible(count), count.total()); }
@@ -56,6 +52,10 @@ void VerdictLimits::check() const {
 std::string_view name_of(Doubt doubt) {
   constexpr std::array<std::string_view, 3> kNames{"little_seen", "disagreement", "free_space"};
   return kNames[static_cast<std::size_t>(doubt)];
+}
+
+bool has_settled(const Evidence& evidence, const VerdictLimits& limits) {
+  return evidence.last_step < limits.max_last_step && evidence.last_rotation_step < limits.max_last_rotation_step;
 }
 
 double strain(const Evidence& evidence, const VerdictLimits& limits) {

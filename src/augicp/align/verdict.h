@@ -79,6 +79,9 @@ struct Verdict {
 // The evidence's largest part of what is allowed it, of the doubts alone: above 1 where there is a doubt.
 double strain(const Evidence& evidence, const VerdictLimits& limits = {});
 
+// Whether the loop's last step was small enough.
+bool has_settled(const Evidence& evidence, const VerdictLimits& limits = {});
+
 // The status of a pose with which the loop ended in `reached`: Converged, or IterationLimit where it was stopped. These two
 // become Converged, IterationLimit or Doubtful; all others, which are known without evidence, stay.
 Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimits& limits = {});

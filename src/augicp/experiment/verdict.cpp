@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <utility>
 
 #include "augicp/core/check.h"
@@ -115,10 +115,8 @@ double part(std::size_t count, std::size_t whole) {
 // Accepted when the strain may be larger: the status is Converged, or Doubtful of a loop that had settled.
 double least_strain_accepting(const VerdictPair& pair) {
   const bool may_be = pair.status == AlignStatus::Converged || pair.status == AlignStatus::Doubtful;
-  constexpr VerdictLimits kLimits;
-  const bool settled = pair.evidence && (pair.without_verdict == AlignStatus::Converged ||
-                                         (pair.evidence->last_step < kLimits.max_last_step &&
-                                          pair.evidence->last_rotation_step < kLimits.max_last_rotation_step));
+  const bool settled =
+      pair.evidence && (pair.without_verdict == AlignStatus::Converged || has_settled(*pair.evidence));
   return may_be && settled ? strain(*pair.evidence) : std::numeric_limits<double>::infinity();
 }
 

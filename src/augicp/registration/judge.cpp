@@ -69,9 +69,7 @@ Evidence gather_evidence(const Scan& source, const Scan& target, const Matcher& 
 AlignResult judged(AlignResult result, const Scan& source, const Scan& target, const Matcher& matcher,
                    const Lengths& lengths, const AlignOptions& options) {
   const AlignStatus reached = result.status;
-  const bool has_pose = reached == AlignStatus::Converged || reached == AlignStatus::IterationLimit ||
-                        reached == AlignStatus::Degenerate;
-  if (!has_pose) return result;
+  if (!has_pose(reached)) return result;
   Evidence evidence = gather_evidence(source, target, matcher, result.target_from_source, lengths, options);
   tell_last_step(result, source, target, lengths.extent, evidence);
   evidence.observability = result.observability.weakest();

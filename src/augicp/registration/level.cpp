@@ -60,9 +60,4 @@ std::vector<Correspondence> Level::pairs(const Rigid3& target_from_source) const
                            usual_options().gates, options_.num_threads);
 }
 
-bool has_pose(AlignStatus status) {
-  return status == AlignStatus::Converged || status == AlignStatus::IterationLimit || status == AlignStatus::Degenerate ||
-         status == AlignStatus::Doubtful;
-}
-
 }  // namespace augicp

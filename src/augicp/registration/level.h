@@ -38,7 +38,4 @@ class Level {
   std::unique_ptr<Matcher> in_target_, in_source_;
 };
 
-// Whether an alignment ended with a pose of its own.
-bool has_pose(AlignStatus status);
-
 }  // namespace augicp
