@@ -46,6 +46,7 @@ std::vector<float> readout_times(const Scan& scan) {
 
 std::vector<PlaneError> plane_errors(const SkewedPair& scans, std::span<const Correspondence> pairs, const Rigid3& pose) {
   const Cloud &source = scans.straight_source.cloud, &target = scans.straight_target.cloud;
+  if (!target.has_directions()) return {};
   const std::vector<float> source_times = readout_times(scans.source), target_times = readout_times(scans.target);
   const Mat3d rotation = pose.rotation.toRotationMatrix();
   std::vector<PlaneError> errors;
