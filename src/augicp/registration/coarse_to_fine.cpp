@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/registration/coarse_to_fine.h"
 
+#include <algorithm>
+
 #include "augicp/registration/judge.h"
 #include "augicp/registration/levels.h"
 #include "augicp/registration/readout_motion.h"
@@ -21,27 +23,30 @@ struct Start {
   ReadoutMotion readout;
 };
 
-SkewedPair straightened(const Scan& source, const Scan& target, const ReadoutMotion& readout, int num_threads) {
-  return {source, target, without_skew(source, readout.source, num_threads),
-          without_skew(target, readout.target, num_threads)};
+// What the loop at full resolution would do, on thinned scans. False where they hold no pose, or leave a part of it open: what no
+// data hold is held at the guess, which only the last loop can do, so that no step before it may move it.
+bool align_thinned(const Scan& source, const Scan& target, const Lengths& lengths, const RegistrationOptions& options,
+                   Rigid3& target_from_source, std::vector<Correspondence>& pairs) {
+  const Level level(source, target, lengths, options);
+  const AlignResult result = level.align(target_from_source, level.usual_options());
+  if (!has_pose(result.status) || result.status == AlignStatus::Degenerate) return false;
+  target_from_source = result.target_from_source;
+  pairs = level.pairs(target_from_source);
+  return true;
 }
 
 // The start made better on thinned images, as long as they hold it.
-Start thinned_start(const Scan& source, const Scan& target, Start start, bool bends, const Lengths& lengths,
-                    const RegistrationOptions& options) {
-  const Scan thin_source = coarser(source, kThinnedColumns, 1.0, lengths),
-             thin_target = coarser(target, kThinnedColumns, 1.0, lengths);
-  for (int round = 0; round <= (bends ? kReadoutRounds : 0); ++round) {
-    const SkewedPair scans = straightened(thin_source, thin_target, start.readout, options.num_threads);
-    const Level level(scans.straight_source, scans.straight_target, lengths, options);
-    const AlignResult result = level.align(start.target_from_source, level.usual_options());
-    // What no data hold is held at the guess, which only the last loop can do: no step before it may move it.
-    if (!has_pose(result.status) || result.status == AlignStatus::Degenerate) return start;
-    start.target_from_source = result.target_from_source;
-    if (round < kReadoutRounds && bends)
-      start.readout = improved(start.readout, scans, level.pairs(start.target_from_source), start.target_from_source);
+void improve_thinned(const Scan& source, const Scan& target, bool bends, const Lengths& lengths,
+                     const RegistrationOptions& options, Start& start) {
+  std::vector<Correspondence> pairs;
+  if (!align_thinned(source, target, lengths, options, start.target_from_source, pairs) || !bends) return;
+  SkewedPair scans{source, target, source, target};
+  for (int round = 0; round < kReadoutRounds; ++round) {
+    start.readout = improved(start.readout, scans, pairs, start.target_from_source);
+    scans.straight_source = without_skew(source, start.readout.source, options.num_threads);
+    scans.straight_target = without_skew(target, start.readout.target, options.num_threads);
+    if (!align_thinned(scans.straight_source, scans.straight_target, lengths, options, start.target_from_source, pairs)) return;
   }
-  return start;
 }
 
 AlignResult at_full_resolution(const Scan& source, const Scan& target, const Rigid3& start, const Lengths& lengths,
@@ -62,17 +67,19 @@ AlignResult coarse_to_fine(const Scan& source, const Scan& target, const Rigid3&
   if (options.search) start.target_from_source = search_start(source, target, guess_target_from_source, lengths, options);
   const bool has_images = source.view && is_projective(target, options.association);
   const bool bends = has_images && options.rolling_shutter && source.view->rolling_shutter && target.view->rolling_shutter;
-  if (has_images && (options.coarse_to_fine || bends))
-    start = thinned_start(source, target, start, bends, lengths, options);
-  AlignResult result;
-  if (bends) {
-    const SkewedPair scans = straightened(source, target, start.readout, options.num_threads);
-    result = at_full_resolution(scans.straight_source, scans.straight_target, start.target_from_source, lengths, options);
-  } else {
-    result = at_full_resolution(source, target, start.target_from_source, lengths, options);
-  }
-  // What the search found does not hold: say what becomes of the guess.
-  if (has_pose(result.status)) return result;
+  const bool is_large = has_images && std::max(step_for(source, kThinnedColumns), step_for(target, kThinnedColumns)) > 1;
+  if (bends || (options.coarse_to_fine && is_large))
+    improve_thinned(coarser(source, kThinnedColumns, 1.0, lengths), coarser(target, kThinnedColumns, 1.0, lengths), bends,
+                    lengths, options, start);
+  const Rigid3& pose = start.target_from_source;
+  const int num_threads = options.num_threads;
+  const AlignResult result = bends ? at_full_resolution(without_skew(source, start.readout.source, num_threads),
+                                                        without_skew(target, start.readout.target, num_threads), pose,
+                                                        lengths, options)
+                                   : at_full_resolution(source, target, pose, lengths, options);
+  // What was found on the way does not hold: say what becomes of the guess.
+  const bool was_the_guess = !bends && pose.matrix() == guess_target_from_source.matrix();
+  if (has_pose(result.status) || was_the_guess) return result;
   return at_full_resolution(source, target, guess_target_from_source, lengths, options);
 }
 

@@ -62,11 +62,11 @@ std::optional<Hypothesis> led_on(const Level& level, const Rigid3& start, const 
 
 std::vector<Hypothesis> led_on(const Level& level, const std::vector<Rigid3>& starts, const AlignOptions& options) {
   std::vector<Hypothesis> found;
-  for (const Rigid3& start : starts) {
-    const auto hypothesis = led_on(level, start, options);
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const auto hypothesis = led_on(level, starts[k], options);
     if (!hypothesis) continue;
     found.push_back(*hypothesis);
-    if (found.size() == 1 && hypothesis->plausibility > kConvincing) break;  // the first is the guess
+    if (k == 0 && hypothesis->plausibility > kConvincing) break;  // the guess
   }
   return found;
 }
