@@ -41,9 +41,9 @@ double root_mean(const std::vector<float>& squares) {
 }
 
 // The gate for the next iteration, see AlignOptions::gate_per_median.
-double closed_gate(double gate, std::vector<float> distances_sq, const AlignOptions& options) {
+double closed_gate(double gate, const std::vector<float>& distances_sq, const AlignOptions& options) {
   if (distances_sq.empty() || !std::isfinite(options.gate_per_median)) return gate;
-  const double typical = std::sqrt(median(std::move(distances_sq)));
+  const double typical = std::sqrt(median(distances_sq));
   return std::min(gate, std::max(options.gate_per_median * typical, options.min_max_distance));
 }
 
@@ -168,9 +168,9 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
       break;
     }
     pose = retract(pose, step);
-    std::vector<float> distances_sq = squared_distances(source, target, pass.pairs, pose, options.num_threads);
+    const std::vector<float> distances_sq = squared_distances(source, target, pass.pairs, pose, options.num_threads);
     result.rmse = root_mean(distances_sq);
-    gates.max_distance = closed_gate(gates.max_distance, std::move(distances_sq), options);
+    gates.max_distance = closed_gate(gates.max_distance, distances_sq, options);
     ++result.iterations;
     result.information = pass.equations.H;
     result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <vector>
+#include <span>
 
 namespace augicp {
 
-// The upper median; 0 for no values.
-inline double median(std::vector<float> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
+// The upper median of those values that are not below 0 (nor -0): errors, whose sign may say that there is none. 0 where all are.
+double median(std::span<const float> values);
 
 }  // namespace augicp

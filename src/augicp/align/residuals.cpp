@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "augicp/align/median.h"
@@ -11,10 +10,8 @@
 namespace augicp {
 namespace {
 
-ResidualStatistics statistics_of(std::vector<float> errors) {
-  ResidualStatistics statistics{static_cast<std::int64_t>(errors.size()), 0.0};
-  if (!errors.empty()) statistics.median = median(std::move(errors));
-  return statistics;
+ResidualStatistics statistics_of(const std::vector<float>& errors) {
+  return {static_cast<std::int64_t>(errors.size()), median(errors)};
 }
 
 float angle_of(float cosine) { return std::acos(std::clamp(cosine, -1.0f, 1.0f)); }
@@ -42,8 +39,8 @@ Residuals residuals(const Cloud& source, const Cloud& target, std::span<const Co
     else
       tangent_angles.push_back(angle_of(std::abs(cosine)));
   }
-  return {statistics_of(std::move(distances)), statistics_of(std::move(normal_angles)),
-          statistics_of(std::move(tangent_angles))};
+  return {statistics_of(distances), statistics_of(normal_angles),
+          statistics_of(tangent_angles)};
 }
 
 }  // namespace augicp

@@ -12,15 +12,11 @@ namespace {
 // A kernel must stay above zero for a perfect fit, whose medians are zero.
 constexpr double kTiny = 1e-30;
 
-// The parts of chi2 of the pairs that compare directions.
-PairChi2 comparing_directions(const PairChi2& chi2) {
-  PairChi2 chosen;
-  for (std::size_t k = 0; k < chi2.position.size(); ++k) {
-    if (chi2.direction[k] < 0.0f) continue;
-    chosen.position.push_back(chi2.position[k]);
-    chosen.direction.push_back(chi2.direction[k]);
-  }
-  return chosen;
+// The positions' part of those pairs that compare directions; -1 for the others.
+std::vector<float> position_where_compared(const PairChi2& chi2) {
+  std::vector<float> position(chi2.position.size());
+  for (std::size_t k = 0; k < position.size(); ++k) position[k] = chi2.direction[k] < 0.0f ? -1.0f : chi2.position[k];
+  return position;
 }
 
 std::vector<float> total_chi2(const PairChi2& chi2, double lever) {
@@ -33,8 +29,7 @@ std::vector<float> total_chi2(const PairChi2& chi2, double lever) {
 }  // namespace
 
 Weighing weigh_pairs(const PairChi2& chi2, const AlignOptions& options) {
-  const PairChi2 comparing = comparing_directions(chi2);
-  const double of_position = median(comparing.position), of_direction = median(comparing.direction);
+  const double of_position = median(position_where_compared(chi2)), of_direction = median(chi2.direction);
   Weighing weighing;
   // Where directions carry no information, or nothing is left to learn from them, the lever is 0.
   const double measured = of_direction > 0.0 ? std::sqrt(of_position / of_direction) : 0.0;

@@ -68,7 +68,7 @@ std::vector<PlaneError> plane_errors(const SkewedPair& scans, std::span<const Co
 double typical_error(const std::vector<PlaneError>& errors) {
   std::vector<float> sizes;
   for (const PlaneError& e : errors) sizes.push_back(static_cast<float>(std::abs(e.error) * std::sqrt(e.information)));
-  return kSigmaPerMedian * median(std::move(sizes));
+  return kSigmaPerMedian * median(sizes);
 }
 
 // An increment of a pose, seen from the frame that the motion leads into.

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/align/median.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace augicp {
+namespace {
+
+// Positive floats are in the order of their bits. The upper half of the bits tells two apart by a part in 128 of their size.
+constexpr std::uint32_t kSign = 0x80000000u;
+constexpr int kLowerBits = 16;
+
+// Below, ordering the values costs less than counting them.
+constexpr std::size_t kFewValues = 4096;
+
+std::vector<float> values_in(std::span<const float> values, std::uint32_t first_bits, std::uint32_t last_bits) {
+  std::vector<float> chosen;
+  for (const float value : values) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    if (bits >= first_bits && bits <= last_bits) chosen.push_back(value);
+  }
+  return chosen;
+}
+
+double at_rank(std::vector<float> values, std::size_t rank) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), place, values.end());
+  return static_cast<double>(*place);
+}
+
+}  // namespace
+
+double median(std::span<const float> values) {
+  if (values.size() <= kFewValues) {
+    std::vector<float> chosen = values_in(values, 0, kSign - 1);
+    const std::size_t rank = chosen.size() / 2;
+    return chosen.empty() ? 0.0 : at_rank(std::move(chosen), rank);
+  }
+  std::vector<std::uint32_t> counts(std::size_t{1} << kLowerBits);
+  for (const float value : values) ++counts[std::bit_cast<std::uint32_t>(value) >> kLowerBits];
+  std::size_t num_chosen = 0;
+  for (std::uint32_t bin = 0; bin < kSign >> kLowerBits; ++bin) num_chosen += counts[bin];
+  if (num_chosen == 0) return 0.0;
+  std::size_t rank = num_chosen / 2;
+  std::uint32_t bin = 0;
+  while (rank >= counts[bin]) rank -= counts[bin++];
+  const std::uint32_t first_bits = bin << kLowerBits;
+  return at_rank(values_in(values, first_bits, first_bits | ((1u << kLowerBits) - 1)), rank);
+}
+
+}  // namespace augicp
