@@ -8,7 +8,6 @@
 #include "augicp/align/damped_step.h"
 #include "augicp/align/median.h"
 #include "augicp/align/weighing.h"
-#include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 
 namespace augicp {
@@ -19,6 +18,17 @@ constexpr std::size_t kMinPairs = 6;
 
 // With fewer source points than this share in reach of the target, what little touches says nothing.
 constexpr double kMinOverlap = 0.02;
+
+// Medians are known well enough from this many pairs, taken evenly from all.
+constexpr std::size_t kTypicalPairs = 8192;
+
+std::vector<Correspondence> typical_of(const std::vector<Correspondence>& pairs) {
+  const std::size_t step = (pairs.size() + kTypicalPairs - 1) / kTypicalPairs;
+  std::vector<Correspondence> chosen;
+  chosen.reserve(kTypicalPairs);
+  for (std::size_t k = 0; k < pairs.size(); k += step) chosen.push_back(pairs[k]);
+  return chosen;
+}
 
 std::vector<float> squared_distances(const Cloud& source, const Cloud& target, const std::vector<Correspondence>& pairs,
                                      const Rigid3& pose, int num_threads) {
@@ -41,9 +51,10 @@ double root_mean(const std::vector<float>& squares) {
 }
 
 // The gate for the next iteration, see AlignOptions::gate_per_median.
-double closed_gate(double gate, const std::vector<float>& distances_sq, const AlignOptions& options) {
-  if (distances_sq.empty() || !std::isfinite(options.gate_per_median)) return gate;
-  const double typical = std::sqrt(median(distances_sq));
+double closed_gate(double gate, const Cloud& source, const Cloud& target, const std::vector<Correspondence>& pairs,
+                   const Rigid3& pose, const AlignOptions& options) {
+  if (!std::isfinite(options.gate_per_median)) return gate;
+  const double typical = std::sqrt(median(squared_distances(source, target, pairs, pose, options.num_threads)));
   return std::min(gate, std::max(options.gate_per_median * typical, options.min_max_distance));
 }
 
@@ -64,6 +75,7 @@ bool has_returned(const Rigid3& pose, const std::vector<Rigid3>& visited, const 
 // One pass of the loop of section 3.3, from a pose to its step; everything but the points themselves.
 struct Pass {
   std::vector<Correspondence> pairs;
+  std::vector<Correspondence> typical;  // some of these
   Weighing weighing;
   Objective objective;
   NormalEquations equations;
@@ -81,7 +93,8 @@ bool has_enough_pairs(const Cloud& source, const Cloud& target, AlignResult& res
 }
 
 void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose, const AlignOptions& options, Pass& pass) {
-  const PairChi2 chi2 = chi2_of_pairs(source, target, pass.pairs, pose, options.information, options.num_threads);
+  pass.typical = typical_of(pass.pairs);
+  const PairChi2 chi2 = chi2_of_pairs(source, target, pass.typical, pose, options.information, options.num_threads);
   pass.weighing = weigh_pairs(chi2, options);
   pass.objective = {with_lever(options.information, pass.weighing.lever), pass.weighing.kernel_chi2,
                     pass.weighing.kernel_direction_chi2};
@@ -110,27 +123,6 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
                 const AlignOptions& options, int num_free);
 
 }  // namespace
-
-void AlignOptions::check() const {
-  information.check();
-  gates.check();
-  if (lever) require_not_negative("lever", *lever);
-  require(max_lever >= 0.0, "max_lever", max_lever, "must be at least 0");
-  if (kernel_chi2) require(*kernel_chi2 > 0.0, "kernel_chi2", *kernel_chi2, "must be above 0");
-  require_not_negative("min_kernel_chi2", min_kernel_chi2);
-  require(gate_per_median > 0.0, "gate_per_median", gate_per_median, "must be above 0");
-  require_not_negative("min_max_distance", min_max_distance);
-  require_positive("kernel_per_median", kernel_per_median);
-  require(kernel_direction_per_median > 0.0, "kernel_direction_per_median", kernel_direction_per_median,
-          "must be above 0");
-  require_not_negative("damping", damping);
-  require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
-  require_not_negative("min_translation_step", min_translation_step);
-  require_not_negative("min_rotation_step", min_rotation_step);
-  require_not_negative("min_observability", min_observability);
-  require_not_negative("correlation_length", correlation_length);
-  require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
-}
 
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options) {
@@ -168,9 +160,7 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
       break;
     }
     pose = retract(pose, step);
-    const std::vector<float> distances_sq = squared_distances(source, target, pass.pairs, pose, options.num_threads);
-    result.rmse = root_mean(distances_sq);
-    gates.max_distance = closed_gate(gates.max_distance, distances_sq, options);
+    gates.max_distance = closed_gate(gates.max_distance, source, target, pass.typical, pose, options);
     ++result.iterations;
     result.information = pass.equations.H;
     result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,
@@ -179,6 +169,7 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
     visited.push_back(pose);
   }
   result.target_from_source = with_origins(pose, source, target);
+  if (result.iterations > 0) result.rmse = root_mean(squared_distances(source, target, pass.pairs, pose, options.num_threads));
   if (has_pose(result.status)) judge_observability(source, target, pose, pass, options, result);
   return result;
 }
