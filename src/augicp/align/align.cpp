@@ -35,12 +35,13 @@ std::vector<float> squared_distances(const Cloud& source, const Cloud& target, c
   const Eigen::Matrix3f rotation = pose.rotation.toRotationMatrix().cast<float>();
   const Vec3f translation = pose.translation.cast<float>();
   std::vector<float> distances_sq(pairs.size());
-  for_each_block(pairs.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  const auto measure = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Vec3f moved = rotation * source.points[pairs[k].source] + translation;
       distances_sq[k] = (target.points[pairs[k].target] - moved).squaredNorm();
     }
-  });
+  };
+  for_each_block(pairs.size(), num_threads, measure, kLightBlockSize);
   return distances_sq;
 }
 

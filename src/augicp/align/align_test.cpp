@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "augicp/core/parallel.h"
 #include "augicp/surface/estimate_surface.h"
 #include "augicp/surface/window_neighbourhood.h"
 #include "augicp/testing/matchers.h"
@@ -35,8 +36,8 @@ struct View {
   const Cloud& cloud() const { return organized.cloud; }
 };
 
-View view_of(const testing::Scene& scene, const Rigid3& motion = {}) {
-  const Pinhole camera = testing::kinect_like_camera(120);
+View view_of(const testing::Scene& scene, const Rigid3& motion = {}, int width = 120) {
+  const Pinhole camera = testing::kinect_like_camera(width);
   const Rigid3 world_from_camera = scene.world_from_camera * motion;
   View view{unproject(testing::render(scene, camera, camera.width, camera.height, world_from_camera).depth, camera),
             camera};
@@ -290,12 +291,13 @@ TEST(Align, ResultMovesWithBothClouds) {
 }
 
 TEST(Align, SameBitsForAnyNumberOfThreads) {
-  const View target = view_of(testing::room()), source = view_of(testing::room(), kSmallMotion);
+  const View target = view_of(testing::room(), {}, 240), source = view_of(testing::room(), kSmallMotion, 240);
+  ASSERT_GT(source.cloud().size(), 2 * kLightBlockSize);
   const NearestMatcher nearest(target.cloud());
   const ProjectiveMatcher projective(target.cloud(), target.organized.index, target.camera);
   for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
     AlignOptions options = near_options();
-    options.max_iterations = 5;
+    options.max_iterations = 3;
     options.num_threads = 1;
     const AlignResult expected = align(source.cloud(), *matcher, Rigid3{}, options);
     for (int num_threads : {2, 3, 8}) {

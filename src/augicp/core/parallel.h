@@ -14,6 +14,9 @@ namespace augicp {
 // Items of one block. Large enough to hide the cost of a task, small enough for two cores to share a depth image evenly.
 inline constexpr std::size_t kBlockSize = 2048;
 
+// Of loops that take some nanoseconds an item: a block should take longer than to wake a thread, or on a busy machine all wait for it.
+inline constexpr std::size_t kLightBlockSize = 16384;
+
 // Calls body(begin, end) for every block of [0, count), concurrently on at most num_threads threads (0: all the
 // machine's). Blocks must not write to shared places. An exception of body reaches the caller.
 void for_each_block(std::size_t count, int num_threads, const std::function<void(std::size_t, std::size_t)>& body,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "augicp/core/parallel.h"
 #include "augicp/match/matcher.h"
 
 namespace augicp {
@@ -76,7 +77,13 @@ TEST(Agreement, NearestKnowsNoFreeSpace) {
 
 TEST(Agreement, ThreadsCountAlike) {
   const OrganizedCloud target = wall();
-  const Cloud source = wall(1.99).cloud;
+  Cloud source = wall(1.99).cloud;
+  while (source.size() < 2 * kLightBlockSize) {
+    const Cloud once = source;
+    source.points.insert(source.points.end(), once.points.begin(), once.points.end());
+    source.directions.insert(source.directions.end(), once.directions.begin(), once.directions.end());
+    source.structures.insert(source.structures.end(), once.structures.begin(), once.structures.end());
+  }
   const Rigid3 pose{Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vec3d::UnitY())), {0.05, 0, 0}};
   const ProjectiveMatcher projective(target.cloud, target.index, kCamera);
   const NearestMatcher nearest(target.cloud);

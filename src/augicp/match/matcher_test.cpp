@@ -22,13 +22,13 @@ using testing::random_extended_points;
 constexpr Pinhole kCamera{50.0, 60.0, 31.5, 23.5, 64, 48};
 
 // What a camera sees, with directions that nothing ties to it.
-OrganizedCloud random_target(unsigned seed) {
+OrganizedCloud random_target(unsigned seed, const Pinhole& camera = kCamera) {
   std::mt19937 generator(seed);
-  DepthImage image{64, 48, std::vector<float>(64 * 48)};
+  DepthImage image{camera.width, camera.height, std::vector<float>(static_cast<std::size_t>(camera.width) * camera.height)};
   for (float& depth : image.depth)
     depth = testing::uniform(generator, 0.0, 1.0) < 0.1 ? std::nanf("")
                                                         : static_cast<float>(testing::uniform(generator, 1.0, 1.3));
-  OrganizedCloud seen = unproject(image, kCamera);
+  OrganizedCloud seen = unproject(image, camera);
   const Cloud drawn = random_extended_points(seen.cloud.size(), 1.0, seed);
   seen.cloud.directions = drawn.directions;
   seen.cloud.structures = drawn.structures;
@@ -273,12 +273,13 @@ TEST(Matcher, EmptyCloudsGiveNoPairs) {
 }
 
 TEST(Matcher, SameForAnyNumberOfThreads) {
-  const OrganizedCloud target = random_target(7);
-  const Cloud source = random_extended_points(3 * kBlockSize + 5, 1.0, 8);
+  constexpr Pinhole kLargeCamera{200.0, 240.0, 127.5, 95.5, 256, 192};  // three blocks of pixels
+  const OrganizedCloud target = random_target(7, kLargeCamera);
+  const Cloud source = random_extended_points(2 * kLightBlockSize + 5, 1.0, 8);
   const Rigid3 pose{Eigen::Quaterniond::Identity(), Vec3d(0.0, 0.0, 1.2)};
   const Gates gates{.max_distance = 0.2, .max_angle = 0.8, .same_structure = true};
   const NearestMatcher nearest(target.cloud);
-  const ProjectiveMatcher projective(target.cloud, target.index, kCamera);
+  const ProjectiveMatcher projective(target.cloud, target.index, kLargeCamera);
   for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
     const auto expected = matcher->match(source, pose, gates, 1);
     EXPECT_GT(expected.size(), 100u);

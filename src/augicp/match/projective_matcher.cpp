@@ -31,19 +31,20 @@ std::vector<Correspondence> ProjectiveMatcher::match(const Cloud& source, const 
   const IndexImage seen = project(source, target_from_source, camera_, index_.width, index_.height, num_threads);
   // Every block of pixels writes to its own part, which is then moved up to those before.
   std::vector<Correspondence> pairs(seen.index.size());
-  std::vector<std::size_t> num_found((pairs.size() + kBlockSize - 1) / kBlockSize);
-  for_each_block(pairs.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> num_found((pairs.size() + kLightBlockSize - 1) / kLightBlockSize);
+  const auto match_pixels = [&](std::size_t begin, std::size_t end) {
     std::size_t next = begin;
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
       if (seen.index[pixel] == IndexImage::kNone || index_.index[pixel] == IndexImage::kNone) continue;
       const auto j = static_cast<std::uint32_t>(seen.index[pixel]), i = static_cast<std::uint32_t>(index_.index[pixel]);
       if (filter.passes(j, filter.moved(j), i)) pairs[next++] = {j, i};
     }
-    num_found[begin / kBlockSize] = next - begin;
-  });
+    num_found[begin / kLightBlockSize] = next - begin;
+  };
+  for_each_block(pairs.size(), num_threads, match_pixels, kLightBlockSize);
   std::size_t num_pairs = 0;
   for (std::size_t block = 0; block < num_found.size(); ++block)
-    for (std::size_t k = 0; k < num_found[block]; ++k) pairs[num_pairs++] = pairs[block * kBlockSize + k];
+    for (std::size_t k = 0; k < num_found[block]; ++k) pairs[num_pairs++] = pairs[block * kLightBlockSize + k];
   pairs.resize(num_pairs);
   return pairs;
 }
@@ -53,7 +54,7 @@ Agreement ProjectiveMatcher::agreement(const Cloud& source, const Rigid3& target
   tolerance.check();
   const SurfaceTest on_surface(source, target_, target_from_source, tolerance.min_cosine);
   const auto constant = static_cast<float>(tolerance.distance), per_depth = static_cast<float>(tolerance.per_depth);
-  return blocked_sum<Agreement>(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  const auto count_points = [&](std::size_t begin, std::size_t end) {
     Agreement count;
     for (std::size_t j = begin; j < end; ++j) {
       const Vec3f moved = on_surface.moved(j);
@@ -69,7 +70,8 @@ Agreement ProjectiveMatcher::agreement(const Cloud& source, const Rigid3& target
         ++(on_surface.agrees(j, moved, i, limit) ? count.agree : count.differ);
     }
     return count;
-  });
+  };
+  return blocked_sum<Agreement>(source.size(), num_threads, count_points, kLightBlockSize);
 }
 
 }  // namespace augicp

@@ -72,7 +72,7 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
   require(objective.kernel_direction_chi2 > 0.0, "kernel_direction_chi2", objective.kernel_direction_chi2,
           "must be above 0");
   const PairReader reader(source, target, target_from_source, objective.information);
-  const BlockSums sums = blocked_sum<BlockSums>(pairs.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  const auto sums_of = [&](std::size_t begin, std::size_t end) {
     BlockSums block;
     PairTerms terms;
     for_each_batch(reader, pairs, begin, end, [&](std::size_t, std::size_t, const PairBatch& batch) {
@@ -80,7 +80,8 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
       block.add(terms);
     });
     return block;
-  });
+  };
+  const BlockSums sums = blocked_sum<BlockSums>(pairs.size(), num_threads, sums_of, kLightBlockSize);
   NormalEquations equations = equations_of(sums);
   equations.num_pairs = static_cast<std::int64_t>(pairs.size());
   return equations;
@@ -90,7 +91,7 @@ PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const
                        const Rigid3& target_from_source, const InformationModel& information, int num_threads) {
   const PairReader reader(source, target, target_from_source, information);
   PairChi2 chi2{std::vector<float>(pairs.size()), std::vector<float>(pairs.size())};
-  for_each_block(pairs.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  const auto write_chi2 = [&](std::size_t begin, std::size_t end) {
     BatchChi2 of_batch;
     for_each_batch(reader, pairs, begin, end, [&](std::size_t first, std::size_t count, const PairBatch& batch) {
       chi2_of(batch, of_batch);
@@ -99,7 +100,8 @@ PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const
         chi2.direction[first + k] = batch.compares[k] ? static_cast<float>(of_batch.direction[k]) : -1.0f;
       }
     });
-  });
+  };
+  for_each_block(pairs.size(), num_threads, write_chi2, kLightBlockSize);
   return chi2;
 }
 

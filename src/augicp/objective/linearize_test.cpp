@@ -327,7 +327,7 @@ TEST(Linearize, ChiSquareOfPairsAddsUpToTheCost) {
 }
 
 TEST(Linearize, EveryPairCountsWhateverTheirNumber) {
-  for (std::size_t num_pairs : {std::size_t{1}, kBlockSize - 1, kBlockSize, kBlockSize + 1, 3 * kBlockSize + 1}) {
+  for (std::size_t num_pairs : {std::size_t{1}, kLightBlockSize - 1, kLightBlockSize, kLightBlockSize + 1, 3 * kLightBlockSize + 1}) {
     TwoClouds two = random_pairs(num_pairs, 15);
     two.target.weights.clear();
     const NormalEquations equations = linearize(two, Rigid3{}, {point_information()}, 3);
@@ -337,7 +337,7 @@ TEST(Linearize, EveryPairCountsWhateverTheirNumber) {
 }
 
 TEST(Linearize, SameBitsForAnyNumberOfThreads) {
-  for (std::size_t num_pairs : {kBlockSize - 1, kBlockSize + 1, 5 * kBlockSize + 7}) {
+  for (std::size_t num_pairs : {kLightBlockSize - 1, kLightBlockSize + 1, 5 * kLightBlockSize + 7}) {
     const TwoClouds two = random_pairs(num_pairs, 16);
     const Rigid3 pose = some_poses()[2];
     const Objective objective{augmented_information(), 100.0};

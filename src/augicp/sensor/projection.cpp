@@ -76,9 +76,10 @@ IndexImage project(const Cloud& cloud, const Rigid3& camera_from_points, const P
   const View view = view_of(camera_from_points, camera, width, height);
   static_assert(sizeof(Vec3f) == 3 * sizeof(float));
   Projected projected{std::vector<std::int32_t>(cloud.size()), std::vector<float>(cloud.size())};
-  for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  const auto project_points = [&](std::size_t begin, std::size_t end) {
     project_block(cloud.points[begin].data(), end - begin, view, &projected.pixel[begin], &projected.depth[begin]);
-  });
+  };
+  for_each_block(cloud.size(), num_threads, project_points, kLightBlockSize);
   // On one thread: it takes less time than threads would need to exchange keys without losing one.
   std::vector<Key> cells(seen.index.size(), kEmpty);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
