@@ -118,19 +118,23 @@ def result(pose, method="m"):
     return pairs.judged(cells.Cell("c", [job]), job, row)
 
 
-def test_only_a_pose_within_both_limits_is_a_success():
+def test_only_a_pose_within_a_limit_is_a_success():
     near, turned, far = STEP.copy(), STEP @ from_axis_angle([0, 0, 1], np.radians(1.5)), STEP.copy()
+    off = STEP.copy()
     near[0, 3] += 0.01
+    off[0, 3] += 0.04
     far[0, 3] += 0.06
-    for pose, expected in ((STEP, [1, 1]), (near, [1, 1]), (turned, [1, 0]), (far, [0, 0]), (None, [0, 0])):
+    for pose, expected in ((STEP, [1, 1, 1]), (near, [1, 1, 1]), (turned, [1, 1, 0]), (off, [1, 0, 0]), (far, [0, 0, 0]),
+                           (None, [0, 0, 0])):
         assert [pairs.successes([result(pose)], *limits) for limits in pairs.LIMITS] == expected
     assert np.isclose(result(far)["error_m"], 0.06) and result(None)["error_m"] < 1e-12  # the guess stands
 
 
 def test_tables_count_each_method_in_each_cell():
     rows = [result(STEP), result(None), result(STEP, "n"), result(None, "n") | {"cell": "d"}]
-    assert pairs.overview(rows) == ["| peer | c | d |", "| --- | --- | --- |", "| p m | 1 / 1 | - |", "| p n | 1 / 1 | 0 / 0 |"]
-    assert pairs.table(rows)[2] == "| c | p m | 1 of 2 | 1 of 2 | 0.0 mm, 0.00 deg | 0.0 mm, 0.00 deg | 2 | 4 |"
+    assert pairs.overview(rows) == ["| peer | c | d |", "| --- | --- | --- |", "| p m | 1 / 1 / 1 | - |",
+                                    "| p n | 1 / 1 / 1 | 0 / 0 / 0 |"]
+    assert pairs.table(rows)[2] == "| c | p m | 1 of 2 | 1 of 2 | 1 of 2 | 0.0 mm, 0.00 deg | 0.0 mm, 0.00 deg | 2 | 4 |"
 
 
 def test_windows_are_pooled_by_gap():

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Runs the programs people register point clouds with today on the same inputs, and prints what they reach as Markdown.
 
-    benchmarks/peers/run.py odometry tum lidar scans --data FOLDER --output FOLDER [--peers augicp opencv] [--starts 50]
+    benchmarks/peers/run.py odometry tum images lidar scans --data FOLDER --output FOLDER [--peers augicp opencv] [--starts 50]
 
 README.md says what the data folder holds and with which settings each peer runs.
 """
@@ -23,14 +23,14 @@ DEPTH_IMAGES_ONLY = ("opencv",)
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", nargs="+", choices=("odometry", "tum", "lidar", "scans"))
+    parser.add_argument("what", nargs="+", choices=("odometry", "tum", "images", "lidar", "scans"))
     parser.add_argument("--data", type=Path, required=True)
     parser.add_argument("--output", type=Path, required=True, help="folder for tables, results and trajectories")
     parser.add_argument("--programs", type=Path, default=jobs.ROOT / "build/release/benchmarks/peers")
     parser.add_argument("--peers", nargs="+", choices=PEERS, default=PEERS)
     parser.add_argument("--windows", nargs="+", choices=tum_windows.WINDOWS, default=tum_windows.WINDOWS)
     parser.add_argument("--pairs", type=int, default=15, help="of each TUM cell (default 15)")
-    parser.add_argument("--starts", type=int, default=10, help="of each cell of LiDAR or scans (default 10)")
+    parser.add_argument("--starts", type=int, default=10, help="of each cell of images, LiDAR or scans (default 10)")
     parser.add_argument("--scenes", nargs="+", choices=starts.SCENES, default=tuple(starts.SCENES), help="of scans")
     return parser.parse_args()
 
@@ -51,8 +51,8 @@ def measure(options, what):
     windows = [tum_windows.Window(options.data / "tum" / name) for name in options.windows]
     if what == "odometry":
         return odometry.measure(programs(options, what), windows, options.output, progress)
-    work = cells.tum_cells(windows, options.pairs)
-    return pairs.measure(programs(options, what), work, options.output / "tum.csv", progress)
+    work = cells.tum_cells(windows, options.pairs) if what == "tum" else cells.image_cells(windows, options.starts)
+    return pairs.measure(programs(options, what), work, options.output / f"{what}.csv", progress)
 
 
 def main():

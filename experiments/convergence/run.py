@@ -37,7 +37,7 @@ CLOCK_OFFSET_S = "-0.022"  # of the depth images on fr1, see docs/results.md
 def rows(augicp, sequence, arguments, words):
     with tempfile.NamedTemporaryFile(suffix=".csv") as output:
         base = ["--camera", "tum-fr1", "--gaps", "1,10,20", "--iterations", ITERATIONS, "--pairs", arguments.targets,
-                "--pixel-step", arguments.pixel_step, "--time-offset", CLOCK_OFFSET_S, "--output", output.name]
+                "--pixel-step", arguments.pixel_step, "--threads", 1, "--time-offset", CLOCK_OFFSET_S, "--output", output.name]
         for option, value in (("--methods", "augmented"), ("--presets", "default")):
             base += [] if option in words else [option, value]
         finished = subprocess.run([str(word) for word in (augicp, "experiment", "sequence", sequence, *base, *words)],
