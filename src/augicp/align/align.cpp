@@ -105,7 +105,7 @@ void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose
 // A pose was reached; is every direction of it held by the pairs it came from?
 void judge_observability(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass,
                          const AlignOptions& options, AlignResult& result) {
-  result.observability = observability(source, target, pass.pairs, pose, pass.objective, options.num_threads);
+  result.observability = observability(source, target, pass.pairs, pose, pass.objective);
   if (result.observability.weakest() < options.min_observability)
     result.status = AlignStatus::Degenerate;
   else if (options.correlation_length > 0.0)
@@ -116,7 +116,7 @@ void judge_observability(const Cloud& source, const Cloud& target, const Rigid3&
 Vec6d step_of(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass, const AlignOptions& options,
               int num_free) {
   if (num_free == 0) return damped_step(pass.equations, options.damping);
-  const Observability now = observability(source, target, pass.pairs, pose, pass.objective, options.num_threads);
+  const Observability now = observability(source, target, pass.pairs, pose, pass.objective);
   return held_step(pass.equations, options.damping, now, num_free);
 }
 

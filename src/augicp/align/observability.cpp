@@ -2,7 +2,9 @@
 #include "augicp/align/observability.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "augicp/geometry/rotation.h"
 
@@ -18,9 +20,21 @@ InformationModel without_softening(const InformationModel& softened) {
     if (information.along < information.across) information.along = 0.0;
     if (information.across < information.along) information.across = 0.0;
   }
-  // Points without structure hold a motion only where all points do (ICP); beside planes they are softening too.
-  if (model.planar.position.along > model.none.position.along) model.none.position = {};
-  if (model.planar.position.along > model.edge.position.across) model.edge.position = {};
+  return model;
+}
+
+// What counts less than a plane is there to keep a step solvable too.
+InformationModel planes_alone(InformationModel model) {
+  const double of_plane = model.planar.position.along;
+  if (of_plane > model.none.position.along) model.none.position = {};
+  if (of_plane > model.edge.position.across) model.edge.position = {};
+  return model;
+}
+
+// Where there are no planes: edges hold nothing along themselves.
+InformationModel edges_alone(InformationModel model) {
+  model.none.position = {};
+  model.edge.position.along = 0.0;
   return model;
 }
 
@@ -49,20 +63,77 @@ Mat6d increment_from_scaled(const Spread& spread) {
   return m;
 }
 
+// So many pairs, taken evenly from all, tell the information to a hundredth.
+constexpr std::size_t kNumAsked = 8192;
+
+std::vector<Correspondence> asked_of(std::span<const Correspondence> pairs) {
+  const std::size_t step = (pairs.size() + kNumAsked - 1) / kNumAsked;
+  std::vector<Correspondence> asked;
+  for (std::size_t k = 0; k < pairs.size(); k += step) asked.push_back(pairs[k]);
+  return asked;
+}
+
+// How a point holds motions by the information of its own surface: J^T Omega, with J that of a motion about the centroid.
+using Hold = Eigen::Matrix<double, 6, 3>;
+Hold hold_of(const Information& information, const Vec3d& direction, const Vec3d& place, const Spread& spread) {
+  const Mat3d omega = information.across * Mat3d::Identity() +
+                      (information.along - information.across) * direction * direction.transpose();
+  Hold hold;
+  hold << omega, cross_matrix(place - spread.centroid) * omega / spread.gyration;
+  return hold;
+}
+
+// J^T Omega J of a pair, but with the J and the half of Omega that each of its two points knows: what noise in one direction
+// seems to hold, the other's noise denies, so that in the sum it cancels. With the target's alone a sphere seen with noise would
+// be held against turns by as much as a room is.
+Mat6d held_by(const Cloud& source, const Cloud& target, const Correspondence& pair, const Rigid3& pose,
+              const InformationModel& model, const Spread& spread) {
+  const Structure structure = target.has_directions() ? target.structures[pair.target] : Structure::None;
+  const Structure of_source = source.has_directions() ? source.structures[pair.source] : Structure::None;
+  const Information& information = model.of(structure).position;
+  const double largest = std::max(information.along, information.across);
+  const bool knows_direction = information.along != information.across;
+  if (largest == 0.0 || (knows_direction && of_source != structure)) return Mat6d::Zero();
+  const Vec3d d = knows_direction ? Vec3d(target.directions[pair.target].cast<double>()) : Vec3d::Zero();
+  const Vec3d l = knows_direction ? Vec3d(pose.rotation * source.directions[pair.source].cast<double>()) : Vec3d::Zero();
+  const Hold of_target = hold_of(information, d, target.points[pair.target].cast<double>(), spread);
+  const Hold of_moved = hold_of(information, l, pose * source.points[pair.source].cast<double>(), spread);
+  const Mat6d both = of_moved * of_target.transpose() / largest;
+  return 0.5 * (both + both.transpose());
+}
+
+// The sum over the pairs, each with its robust weight.
+Mat6d held_by(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs, const Rigid3& pose,
+              const InformationModel& model, double kernel_chi2, const Spread& spread) {
+  const PairChi2 chi2 = chi2_of_pairs(source, target, pairs, pose, model, 1);
+  Mat6d held = Mat6d::Zero();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double gamma = std::min(1.0, kernel_chi2 / static_cast<double>(chi2.position[k]));
+    const double weight = target.weights.empty() ? 1.0 : static_cast<double>(target.weights[pairs[k].target]);
+    held += gamma * weight * held_by(source, target, pairs[k], pose, model, spread);
+  }
+  return held;
+}
+
 }  // namespace
 
 Observability observability(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                            const Rigid3& target_from_source, const Objective& objective, int num_threads) {
+                            const Rigid3& target_from_source, const Objective& objective) {
   if (pairs.empty()) return {};
-  const Spread spread = spread_of(target, pairs);
+  const std::vector<Correspondence> asked = asked_of(pairs);
+  const Spread spread = spread_of(target, asked);
   if (!(spread.gyration > 0.0)) return {};
-  const Objective hard{without_softening(objective.information), objective.kernel_chi2};
-  const NormalEquations equations = linearize(source, target, pairs, target_from_source, hard, num_threads);
-  const Mat6d change = increment_from_scaled(spread);
-  const Eigen::SelfAdjointEigenSolver<Mat6d> solver(change.transpose() * equations.H * change);
+  const auto held_under = [&](const InformationModel& model) {
+    return held_by(source, target, asked, target_from_source, model, objective.kernel_chi2, spread);
+  };
+  const InformationModel hard = without_softening(objective.information);
+  Mat6d held = held_under(planes_alone(hard));
+  if (held.isZero(0.0)) held = held_under(edges_alone(hard));
+  if (held.isZero(0.0)) held = held_under(hard);
+  const Eigen::SelfAdjointEigenSolver<Mat6d> solver(held);
   const double best = solver.eigenvalues()[5];
   if (!(best > 0.0)) return {};
-  return {solver.eigenvalues().cwiseMax(0.0) / best, change * solver.eigenvectors(), spread.centroid,
+  return {solver.eigenvalues().cwiseMax(0.0) / best, increment_from_scaled(spread) * solver.eigenvectors(), spread.centroid,
           spread.gyration};
 }
 
