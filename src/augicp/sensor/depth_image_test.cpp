@@ -54,5 +54,16 @@ TEST(DepthImage, WrongSizesAreRefused) {
   EXPECT_NO_THROW(unproject({0, 0, {}}, kCamera));
 }
 
+TEST(DepthImage, ValuesAreDividedByTheScale) {
+  const std::vector<std::uint16_t> values{0, 5000, 65535, 1};
+  const DepthImage image = depth_image(values, 2, 2, 5000.0);
+  EXPECT_EQ(image.at(1, 0), 1.0f);
+  EXPECT_EQ(image.at(1, 1), static_cast<float>(1 / 5000.0));
+  EXPECT_TRUE(std::isnan(image.at(0, 0)) && std::isnan(image.at(0, 1)));
+  EXPECT_EQ(depth_image(std::vector<float>{1500.0f}, 1, 1, 1000.0).at(0, 0), 1.5f);
+  EXPECT_THROW(depth_image(values, 2, 2, 0.0), std::invalid_argument);
+  EXPECT_THROW(depth_image(values, 2, 1, 5000.0), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace augicp
