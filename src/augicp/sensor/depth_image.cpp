@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/sensor/depth_image.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -17,7 +18,10 @@ float metres(std::uint16_t value, double depth_scale) {
   return is_reading ? static_cast<float>(value / depth_scale) : std::numeric_limits<float>::quiet_NaN();
 }
 
-float metres(float value, double depth_scale) { return static_cast<float>(static_cast<double>(value) / depth_scale); }
+float metres(float value, double depth_scale) {
+  const bool is_reading = std::isfinite(value) && value > 0.0f;
+  return is_reading ? static_cast<float>(static_cast<double>(value) / depth_scale) : std::numeric_limits<float>::quiet_NaN();
+}
 
 template <typename Value>
 DepthImage image_of(std::span<const Value> values, int width, int height, double depth_scale) {
