@@ -25,15 +25,21 @@ PyObject* add_class(py::module_& module, const char* name, const char* doc, cons
   return made.ptr();
 }
 
+// A message may name a file whose name is no UTF-8: Python has a way to write such bytes too.
+void raise(PyObject* error_class, const char* message) {
+  const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(message));
+  if (text) PyErr_SetObject(error_class, text.ptr());
+}
+
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const WrongType& error) {
-    PyErr_SetString(classes.type, error.what());
+    raise(classes.type, error.what());
   } catch (const IoError& error) {
-    PyErr_SetString(classes.file, error.what());
+    raise(classes.file, error.what());
   } catch (const std::invalid_argument& error) {
-    PyErr_SetString(classes.argument, error.what());
+    raise(classes.argument, error.what());
   }
 }
 

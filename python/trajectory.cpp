@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "augicp/io/cloud_file.h"
 #include "augicp/io/trajectory_file.h"
 #include "python/errors.h"
 #include "python/numbers.h"
@@ -25,15 +26,19 @@ Rigid3 pose_at(const py::array& poses, py::ssize_t i) {
 }
 
 PyTrajectory from_arrays(const py::object& given_stamps, const py::object& given_poses) {
-  const py::array stamps = as_reals(as_numbers(given_stamps, "stamps")), poses = as_reals(as_numbers(given_poses, "poses"));
+  const py::array stamps = as_reals(as_numbers(given_stamps, "stamps")), poses = as_numbers(given_poses, "poses");
   if (stamps.ndim() != 1) throw std::invalid_argument("stamps: expected shape (N,), found " + shape_text(stamps));
   if (poses.ndim() != 3 || poses.shape(1) != 4 || poses.shape(2) != 4 || poses.shape(0) != stamps.shape(0))
     throw std::invalid_argument("poses: expected shape (" + std::to_string(stamps.shape(0)) + ", 4, 4), found " +
                                 shape_text(poses));
+  if (static_cast<std::uint64_t>(stamps.shape(0)) > ReadOptions{}.max_points)
+    throw std::invalid_argument("stamps: too many, " + std::to_string(stamps.shape(0)));
   const Reals stamp(stamps);
   PyTrajectory made;
-  for (py::ssize_t i = 0; i < stamps.shape(0); ++i)
+  for (py::ssize_t i = 0; i < stamps.shape(0); ++i) {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     made.poses.push_back({stamp(static_cast<std::size_t>(i), 0), pose_at(poses, i)});
+  }
   check_order(made.poses);
   return made;
 }

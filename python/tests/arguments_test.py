@@ -60,6 +60,8 @@ def test_huge_arrays_that_take_no_memory_are_refused_at_once():
             augicp.align(huge, POINTS)
     with pytest.raises(augicp.ArgumentError, match="too large"):
         augicp.Cloud.from_depth(np.broadcast_to(np.uint16(5), (10**6, 10**6)), "tum-fr1", 5000)
+    with pytest.raises(augicp.ArgumentError, match="too many"):
+        augicp.Trajectory(np.broadcast_to(0.0, 10**12), np.broadcast_to(np.eye(4), (10**12, 4, 4)))
     overlapping = np.lib.stride_tricks.as_strided(POINTS, shape=(40, 3), strides=(8, 8))
     assert len(augicp.Cloud(overlapping)) == 40
 

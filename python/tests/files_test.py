@@ -85,6 +85,14 @@ def test_warnings_are_python_s(tmp_path):
         assert len(augicp.read(cut)) == 2
 
 
+def test_names_that_are_no_text(tmp_path):
+    name = str(tmp_path / "\udcff.ply")
+    with pytest.raises(augicp.FileError, match="\udcff.ply"):
+        augicp.read(name)
+    augicp.write(name, POINTS)
+    assert len(augicp.read(name)) == len(POINTS)
+
+
 def test_paths_of_the_wrong_kind():
     for path in (None, 1, 2.5, object()):
         with pytest.raises(TypeError):
