@@ -14,7 +14,8 @@ bool is_real(const py::dtype& type) { return type.kind() == 'f' || type.kind() =
 
 // NumPy's asarray() would show what the mask hides.
 py::array without_mask(const py::array& array) {
-  if (!py::isinstance(array, py::module_::import("numpy.ma").attr("MaskedArray"))) return array;
+  if (!py::isinstance(array, py::module_::import("numpy.ma").attr("MaskedArray"))) 
+    return py::module_::import("numpy").attr("asarray")(array).cast<py::array>();  // without what a subclass overrides
   return array.attr("astype")("float64").attr("filled")(std::nan("")).cast<py::array>();
 }
 

@@ -70,8 +70,9 @@ class Tracker {
     OdometryOptions preparing = options_;
     preparing.registration.stop = stop;
     const Scan frame = prepare_frame(image, camera_, preparing);
-    const double next_s = last_ ? last_->stamp_s + 1.0 / kUsualFramesPerS : 0.0;
+    const double next_s = last_stamp_s_ ? *last_stamp_s_ + 1.0 / kUsualFramesPerS : 0.0;
     last_ = odometry_.add(stamp.value_or(next_s), frame, stop);
+    if (last_->status != FrameStatus::OutOfOrder) last_stamp_s_ = last_->stamp_s;
     scale_is_checked_ = scale_is_checked_ || tells_depth_scale(image);
     if (has_pose(last_->status)) trajectory_.push_back({last_->stamp_s, last_->world_from_camera});
     return *last_;
@@ -84,6 +85,7 @@ class Tracker {
   Odometry odometry_;
   bool scale_is_checked_ = false;
   std::optional<FrameReport> last_;
+  std::optional<double> last_stamp_s_;  // of the frames in order
   Trajectory trajectory_;
 };
 

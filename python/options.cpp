@@ -56,7 +56,9 @@ void take(const std::string& name, const py::handle& value, bool& field) {
 void take_word(const std::string& name, const py::handle& value, const std::vector<std::string>& words,
                std::string& word) {
   if (!PyUnicode_Check(value.ptr())) refuse(name, ("one of " + joined(words)).c_str(), value);
-  word = py::cast<std::string>(value);
+  const char* const text = PyUnicode_AsUTF8(value.ptr());
+  if (!text) PyErr_Clear();  // half a character: no word of ours
+  word = text ? text : "";
   for (const std::string& known : words)
     if (word == known) return;
   throw std::invalid_argument(name + ": expected one of " + joined(words) + ", found " +

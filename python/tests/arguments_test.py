@@ -76,7 +76,7 @@ def test_a_guess_that_is_no_rigid_motion(matrix):
 @pytest.mark.parametrize("options", [
     {"radius": -1}, {"radius": 0}, {"radius": float("nan")}, {"voxel_size": float("inf")}, {"max_distance": 0.0},
     {"max_iterations": 0}, {"max_iterations": 2**40}, {"max_iterations": 2**100}, {"min_step": -1.0}, {"threads": -1},
-    {"method": "icp"}, {"preset": "Default"}, {"association": ""}, {"damping": -1.0}, {"classifier": "x"},
+    {"method": "icp"}, {"preset": "Default"}, {"association": ""}, {"damping": -1.0}, {"method": "\udcff"}, {"classifier": "x"},
     {"association": "projective"}])
 def test_options_out_of_their_range(options):
     with pytest.raises(augicp.ArgumentError, match=next(iter(options))):
