@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Installs the library into an empty prefix, then builds and runs tests/consumer against it, as a stranger would.
-#   cmake -DSOURCE=... -DBUILD=... -DWORK=... -DCOMPILER=... [-DSHARED=ON] -P install_test.cmake
+#   cmake -DSOURCE=... -DBUILD=... -DWORK=... -DCOMPILER=... [-DSHARED=ON] [-DPYTHON=...] -P install_test.cmake
 # With SHARED the library is first built as a shared one in WORK/build; otherwise BUILD is installed as it is.
 cmake_minimum_required(VERSION 3.22)
 
@@ -13,7 +13,11 @@ if(SHARED)
   set(BUILD ${WORK}/build)
   run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G Ninja ${cxx} -DBUILD_SHARED_LIBS=ON
     -DAUGICP_BUILD_TESTS=OFF -DAUGICP_BUILD_APPS=OFF -DAUGICP_BUILD_EXAMPLES=OFF)
-  run(${CMAKE_COMMAND} --build ${BUILD} --target augicp)
+  set(targets augicp)
+  if(PYTHON)
+    list(APPEND targets augicp_python)
+  endif()
+  run(${CMAKE_COMMAND} --build ${BUILD} --target ${targets})
 endif()
 
 set(prefix ${WORK}/prefix)
@@ -30,3 +34,17 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${WORK}/consumer -G Ninja ${
   -DALL_HEADERS_SOURCE=${WORK}/all_headers.cpp)
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)
+
+# The Python package, from the prefix alone; it was built with the library.
+if(PYTHON)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component python)
+  file(GLOB_RECURSE modules ${prefix}/*/_augicp*.so)
+  list(LENGTH modules count)
+  if(NOT count EQUAL 1)
+    message(FATAL_ERROR "expected one Python module below ${prefix}, found: ${modules}")
+  endif()
+  cmake_path(GET modules PARENT_PATH package)
+  cmake_path(GET package PARENT_PATH site)
+  run(${CMAKE_COMMAND} -E env --unset=LD_LIBRARY_PATH PYTHONPATH=${site} ${PYTHON} ${SOURCE}/tests/install_python.py
+    ${prefix})
+endif()

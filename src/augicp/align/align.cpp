@@ -9,6 +9,7 @@
 #include "augicp/align/median.h"
 #include "augicp/align/weighing.h"
 #include "augicp/core/parallel.h"
+#include "augicp/core/stop.h"
 
 namespace augicp {
 namespace {
@@ -151,6 +152,7 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
   Gates gates = options.gates;
   std::vector<Rigid3> visited;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
+    throw_if_stopped(options.stop);
     pass.pairs = matcher.match(source, pose, gates, options.num_threads);
     result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
     if (!has_enough_pairs(source, target, result)) break;

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "augicp/align/free_motions.h"
@@ -58,6 +59,9 @@ struct AlignOptions {
   double correlation_length = 0.0;
 
   int num_threads = 0;  // 0: all the machine's
+
+  // Asked before each iteration: align() throws Interrupted once an end is requested, from any thread.
+  std::stop_token stop{};
 
   // Throws std::invalid_argument naming the first option out of its range.
   void check() const;

@@ -6,10 +6,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <random>
 #include <string>
+#include <thread>
 #include <utility>
 
+#include "augicp/core/error.h"
 #include "augicp/core/parallel.h"
 #include "augicp/surface/estimate_surface.h"
 #include "augicp/surface/window_neighbourhood.h"
@@ -315,6 +318,40 @@ TEST(Align, EveryStatusHasItsName) {
   EXPECT_EQ(name_of(AlignStatus::Converged), "converged");
   EXPECT_EQ(name_of(AlignStatus::NoOverlap), "no_overlap");
   EXPECT_EQ(name_of(AlignStatus::Diverged), "diverged");
+}
+
+// Asks for an end from another thread, while it looks for the pairs of its third iteration.
+class StoppingMatcher : public NearestMatcher {
+ public:
+  using NearestMatcher::NearestMatcher;
+  std::vector<Correspondence> match(const Cloud& source, const Rigid3& pose, const Gates& gates,
+                                    int num_threads) const override {
+    if (++*num_calls == 3) std::thread([this] { stop->request_stop(); }).join();
+    return NearestMatcher::match(source, pose, gates, num_threads);
+  }
+
+  std::shared_ptr<int> num_calls = std::make_shared<int>(0);
+  std::shared_ptr<std::stop_source> stop = std::make_shared<std::stop_source>();
+};
+
+TEST(AlignInterrupted, EndsBeforeTheNextIteration) {
+  const View target = view_of(testing::room()), source = view_of(testing::room(), kSmallMotion);
+  const StoppingMatcher matcher(target.cloud());
+  AlignOptions options = near_options();
+  options.min_translation_step = options.min_rotation_step = 0.0;  // it would go on
+  options.stop = matcher.stop->get_token();
+  EXPECT_THROW(align(source.cloud(), matcher, Rigid3{}, options), Interrupted);
+  EXPECT_EQ(*matcher.num_calls, 3);
+}
+
+TEST(AlignInterrupted, DoesNothingWhereAnEndWasAskedForBefore) {
+  const View view = view_of(testing::room());
+  std::stop_source stop;
+  AlignOptions options = near_options();
+  options.stop = stop.get_token();
+  EXPECT_EQ(align(view.cloud(), NearestMatcher(view.cloud()), Rigid3{}, options).status, AlignStatus::Converged);
+  stop.request_stop();
+  EXPECT_THROW(align(view.cloud(), NearestMatcher(view.cloud()), Rigid3{}, options), Interrupted);
 }
 
 }  // namespace

@@ -13,4 +13,10 @@ class IoError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The caller asked for an end through a std::stop_token, and there is no result. See core/stop.h.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
 }  // namespace augicp

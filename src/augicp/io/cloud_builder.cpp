@@ -101,14 +101,10 @@ Vec3d CloudBuilder::suitable_origin() const {
   return (spread.centre / quantum).array().round().matrix() * quantum;
 }
 
-CloudFile build_cloud(const FileBytes& file, const PointTable& table,
-                      const std::function<void(CloudBuilder&)>& decode_points) {
+CloudFile build_any_cloud(const PointTable& table, const std::function<void(CloudBuilder&)>& decode_points) {
   std::optional<CloudBuilder> builder(std::in_place, table, Vec3d::Zero());
   decode_points(*builder);
-  const std::uint64_t num_points = builder->file_.report.num_declared;
-  if (num_points == 0) throw io_error(file.path, "holds no points");
-  if (builder->file_.cloud.empty())
-    throw io_error(file.path, fmt::format("none of its {} points is finite", num_points));
+  if (builder->file_.cloud.empty()) return std::move(builder->file_);
   if (const Vec3d origin = builder->suitable_origin(); !origin.isZero(0.0)) {
     builder.emplace(table, origin);
     decode_points(*builder);
@@ -120,6 +116,15 @@ CloudFile build_cloud(const FileBytes& file, const PointTable& table,
     built.grid->height = static_cast<int>(builder->places_.size() / static_cast<std::size_t>(table.width));
     built.grid->index = std::move(builder->places_);
   }
+  return built;
+}
+
+CloudFile build_cloud(const FileBytes& file, const PointTable& table,
+                      const std::function<void(CloudBuilder&)>& decode_points) {
+  CloudFile built = build_any_cloud(table, decode_points);
+  const std::uint64_t num_points = built.report.num_declared;
+  if (num_points == 0) throw io_error(file.path, "holds no points");
+  if (built.cloud.empty()) throw io_error(file.path, fmt::format("none of its {} points is finite", num_points));
   return built;
 }
 

@@ -49,7 +49,7 @@ class CloudBuilder {
   void add(const PointValues& values);
 
  private:
-  friend CloudFile build_cloud(const FileBytes&, const PointTable&, const std::function<void(CloudBuilder&)>&);
+  friend CloudFile build_any_cloud(const PointTable&, const std::function<void(CloudBuilder&)>&);
   void add_direction(const PointValues& values);
   Vec3d suitable_origin() const;
 
@@ -60,7 +60,10 @@ class CloudBuilder {
 
 // decode_points adds every point of the file, the same ones at each call: it is called a second time where the cloud
 // turns out to lie far from zero. (Keeping all coordinates as double instead would cost twice the cloud's memory.)
-// Throws IoError where no point is finite.
+// The cloud is empty where no point is finite.
+CloudFile build_any_cloud(const PointTable& table, const std::function<void(CloudBuilder&)>& decode_points);
+
+// The same for a file. Throws IoError where no point is finite.
 CloudFile build_cloud(const FileBytes& file, const PointTable& table,
                       const std::function<void(CloudBuilder&)>& decode_points);
 

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "augicp/core/check.h"
@@ -57,12 +59,8 @@ void check_end(const FileBytes& file) {
     throw io_error(file.path, "expected a whole PNG, found no end chunk");
 }
 
-// The largest value says "out of range" where it is written at all (7-Scenes); no sensor measures up to it.
+// Read as no reading, see depth_image().
 constexpr std::uint16_t kOutOfRange = 65535;
-
-float metres(std::uint16_t value, double depth_scale) {
-  return value == 0 || value == kOutOfRange ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value / depth_scale);
-}
 
 std::uint16_t grey(float depth, double depth_scale) {
   const double value = std::round(static_cast<double>(depth) * depth_scale);
@@ -80,30 +78,35 @@ DepthImage parse_depth_png(const FileBytes& file, double depth_scale) {
   check(spng_decode_image(context.get(), values.data(), values.size() * sizeof(values[0]), SPNG_FMT_PNG, 0), file.path);
   check(spng_decode_chunks(context.get()), file.path);
   check_end(file);
-  DepthImage image{static_cast<int>(header.width), static_cast<int>(header.height), {}};
-  image.depth.reserve(values.size());
-  for (std::uint16_t value : values) image.depth.push_back(metres(value, depth_scale));
-  return image;
+  return depth_image(values, static_cast<int>(header.width), static_cast<int>(header.height), depth_scale);
 }
 
 DepthImage read_depth_png(const std::filesystem::path& path, double depth_scale) {
   return parse_depth_png(read_bytes(path), depth_scale);
 }
 
-void check_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {
+bool tells_depth_scale(const DepthImage& image) {
+  constexpr double kMinShare = 0.01;
+  const auto count = std::count_if(image.depth.begin(), image.depth.end(), [](float depth) { return !std::isnan(depth); });
+  return static_cast<double>(count) > kMinShare * static_cast<double>(image.depth.size());
+}
+
+std::optional<std::string> depth_scale_problem(const DepthImage& image, double depth_scale) {
   constexpr float kNearest = 0.05f, kFarthest = 200.0f;  // metres; depth cameras and LiDARs measure between
   std::vector<float> readings;
   std::copy_if(image.depth.begin(), image.depth.end(), std::back_inserter(readings),
                [](float z) { return !std::isnan(z); });
-  if (readings.empty()) return;
+  if (readings.empty()) return std::nullopt;
   const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
   std::nth_element(readings.begin(), middle, readings.end());
-  if (*middle >= kNearest && *middle <= kFarthest) return;
-  throw io_error(
-      path,
-      fmt::format("the median depth is {} m: is the depth scale {} right? It is a divisor, metres = value / scale; "
-                  "5000 for TUM, 1000 for most others",
-                  *middle, depth_scale));
+  if (*middle >= kNearest && *middle <= kFarthest) return std::nullopt;
+  return fmt::format("the median depth is {} m: is the depth scale {} right? It is a divisor, metres = value / scale; "
+                     "5000 for TUM, 1000 for most others",
+                     *middle, depth_scale);
+}
+
+void check_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {
+  if (const auto problem = depth_scale_problem(image, depth_scale)) throw io_error(path, *problem);
 }
 
 void write_depth_png(const std::filesystem::path& path, const DepthImage& image, double depth_scale) {

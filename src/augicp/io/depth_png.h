@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "augicp/io/file_bytes.h"
 #include "augicp/sensor/depth_image.h"
@@ -16,8 +18,14 @@ DepthImage read_depth_png(const std::filesystem::path& path, double depth_scale)
 // The same for a file that is in memory.
 DepthImage parse_depth_png(const FileBytes& file, double depth_scale);
 
-// Throws IoError with advice where the median reading is nearer than 5 cm or farther than 200 m: then the depth scale
-// is wrong by a factor. An image without readings passes. path and depth_scale are for the message.
+// Advice where the median reading is nearer than 5 cm or farther than 200 m: then the depth scale is wrong by a factor. An
+// image without readings passes. depth_scale is for the message.
+std::optional<std::string> depth_scale_problem(const DepthImage& image, double depth_scale);
+
+// Whether an image has readings enough to ask: a few speckles in a black one say nothing about the scale.
+bool tells_depth_scale(const DepthImage& image);
+
+// Throws IoError with that advice. path is for the message.
 void check_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale);
 
 // Writes round(depth * depth_scale); no reading, and what does not fit 16 bits, as 0. Throws IoError;

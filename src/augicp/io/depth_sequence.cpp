@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/depth_sequence.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "augicp/core/check.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_png.h"
@@ -74,13 +71,6 @@ DepthSequence seven_scenes_sequence(const fs::path& folder, std::vector<DepthFra
   return sequence;
 }
 
-// A few speckles in a black image say nothing about the scale.
-bool has_enough_readings(const DepthImage& image) {
-  constexpr double kMinShare = 0.01;
-  const auto count = std::count_if(image.depth.begin(), image.depth.end(), [](float depth) { return !std::isnan(depth); });
-  return static_cast<double>(count) > kMinShare * static_cast<double>(image.depth.size());
-}
-
 }  // namespace
 
 DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
@@ -118,7 +108,7 @@ std::optional<DepthFrame> DepthSequenceReader::next() {
     frame.problem = error.what();
     return frame;
   }
-  if (!scale_is_checked_ && has_enough_readings(frame.image)) {
+  if (!scale_is_checked_ && tells_depth_scale(frame.image)) {
     check_depth_scale(frame.image, file.path, depth_scale_);
     scale_is_checked_ = true;
   }

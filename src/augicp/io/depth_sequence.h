@@ -34,7 +34,7 @@ struct DepthSequence {
 //              A number with a decimal point (1305031453.374112.png) is a stamp in seconds
 // Frames without stamps get their number / frames_per_s. Images are not opened. Throws IoError where the folder is none
 // of these or its list of images or its camera is damaged, std::invalid_argument unless frames_per_s is above 0.
-DepthSequence read_depth_sequence(const std::filesystem::path& folder, double frames_per_s = 30.0);
+DepthSequence read_depth_sequence(const std::filesystem::path& folder, double frames_per_s = kUsualFramesPerS);
 
 // Reads the frames of a list one by one, as they are asked for. An image that cannot be read
 // becomes a frame with a problem; a depth scale that is wrong by a factor is an IoError (see check_depth_scale), looked

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "augicp/core/check.h"
+#include "augicp/core/stop.h"
 #include "augicp/registration/rolling_shutter.h"
 
 namespace augicp {
@@ -130,8 +131,8 @@ Scan Odometry::straightened(const Scan& frame, double stamp_s, const Rigid3& wor
 }
 
 // Fills in the report; gives the frame as it was registered.
-Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
-  const Lengths lengths = tracking_lengths(frame, reference_->scan, options_.registration);
+Scan Odometry::register_frame(const Scan& frame, const RegistrationOptions& options, FrameReport& report) {
+  const Lengths lengths = tracking_lengths(frame, reference_->scan, options);
   report.world_from_camera = predicted(report.stamp_s);
   Scan straight;
   std::optional<LocalModel> straight_start;
@@ -141,8 +142,7 @@ Scan Odometry::register_frame(const Scan& frame, FrameReport& report) {
     if (start_frame_ && pass > 0)
       straight_start = model_of(straightened(*start_frame_, report.stamp_s, report.world_from_camera));
     const AlignResult result = register_prepared(straight, (straight_start ? straight_start : reference_)->scan,
-                                                 inverse(world_from_reference_) * report.world_from_camera, lengths,
-                                                 options_.registration);
+                                                 inverse(world_from_reference_) * report.world_from_camera, lengths, options);
     report.registration = result.status;
     report.iterations += result.iterations;
     report.num_pairs = result.num_pairs;
@@ -190,15 +190,27 @@ void Odometry::start_segment(const Scan& frame, FrameReport& report) {
   last_ = StampedPose{report.stamp_s, report.world_from_camera};
 }
 
-FrameReport Odometry::add(double stamp_s, const Scan& frame) {
-  FrameReport report;
-  report.stamp_s = stamp_s;
-  report.segment = segment_;
+FrameReport Odometry::add(double stamp_s, const Scan& frame, const std::stop_token& stop) {
   if (!std::isfinite(stamp_s) || (last_stamp_s_ && stamp_s <= *last_stamp_s_)) {
+    FrameReport report;
+    report.stamp_s = stamp_s;
+    report.segment = segment_;
     report.status = FrameStatus::OutOfOrder;
     return report;
   }
+  const FrameReport report = placed(stamp_s, frame, stop);
   last_stamp_s_ = stamp_s;
+  return report;
+}
+
+// Where it is interrupted it has changed nothing.
+FrameReport Odometry::placed(double stamp_s, const Scan& frame, const std::stop_token& stop) {
+  RegistrationOptions options = options_.registration;
+  if (stop.stop_possible()) options.stop = stop;
+  throw_if_stopped(options.stop);
+  FrameReport report;
+  report.stamp_s = stamp_s;
+  report.segment = segment_;
   if (!frame.view || !frame.cloud.has_directions() || frame.cloud.size() < kMinReadings) {
     report.status = FrameStatus::NoReadings;
     report.problem = std::to_string(frame.cloud.size()) + " readings, at least " + std::to_string(kMinReadings) + " are needed";
@@ -210,7 +222,7 @@ FrameReport Odometry::add(double stamp_s, const Scan& frame) {
     report.segment = segment_;
     return report;
   }
-  const Scan straight = register_frame(frame, report);
+  const Scan straight = register_frame(frame, options, report);
   const bool is_astray = report.status == FrameStatus::Lost || report.status == FrameStatus::Doubtful;
   num_lost_ = is_astray ? num_lost_ + 1 : 0;
   if (report.status == FrameStatus::Lost) return report;

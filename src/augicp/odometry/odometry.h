@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string_view>
 
 #include "augicp/geometry/trajectory.h"
@@ -94,13 +95,15 @@ class Odometry {
   explicit Odometry(const OdometryOptions& options = {}, double readout_s = 0.0);
 
   // The next frame, prepared. Never throws for what frames or stamps are like; a frame that cannot be placed gets a
-  // status and no pose, and the next one is tried again.
-  FrameReport add(double stamp_s, const Scan& frame);
+  // status and no pose, and the next one is tried again. Throws Interrupted once an end is requested through stop or
+  // through the options; everything then is as before the call, and the same frame may be added again.
+  FrameReport add(double stamp_s, const Scan& frame, const std::stop_token& stop = {});
 
  private:
+  FrameReport placed(double stamp_s, const Scan& frame, const std::stop_token& stop);
   Rigid3 predicted(double stamp_s) const;
   Scan straightened(const Scan& frame, double stamp_s, const Rigid3& world_from_camera) const;
-  Scan register_frame(const Scan& frame, FrameReport& report);
+  Scan register_frame(const Scan& frame, const RegistrationOptions& options, FrameReport& report);
   void update_reference(const Scan& frame, const FrameReport& report);
   void start_segment(const Scan& frame, FrameReport& report);
 

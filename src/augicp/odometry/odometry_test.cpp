@@ -7,7 +7,9 @@
 
 #include <limits>
 #include <numbers>
+#include <stop_token>
 
+#include "augicp/core/error.h"
 #include "augicp/geometry/rotation.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/rendering.h"
@@ -247,6 +249,19 @@ TEST(Odometry, AFrameThatContradictsTheModelIsMarkedAndNotMerged) {
   const FrameReport next = odometry.add(4 * kFramePeriod_s, frame(4));
   EXPECT_EQ(next.status, FrameStatus::Started);
   EXPECT_EQ(next.segment, 1);
+}
+
+TEST(OdometryInterrupted, IsAsItWasBefore) {
+  Odometry interrupted(small_images()), other(small_images());
+  std::stop_source stop;
+  stop.request_stop();
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_THROW(interrupted.add(k * kFramePeriod_s, frame(k), stop.get_token()), Interrupted);
+    const FrameReport report = interrupted.add(k * kFramePeriod_s, frame(k));
+    const FrameReport expected = other.add(k * kFramePeriod_s, frame(k));
+    EXPECT_EQ(report.status, expected.status);
+    EXPECT_EQ(report.world_from_camera.matrix(), expected.world_from_camera.matrix());
+  }
 }
 
 }  // namespace

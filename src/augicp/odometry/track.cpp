@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "augicp/core/stop.h"
+
 namespace augicp {
 namespace {
 
@@ -50,6 +52,7 @@ void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions
   const int num_threads = wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   // Preparing a frame costs about as much as registering it.
   OdometryOptions preparing = options, registering = options;
+  preparing.registration.stop = {};  // asked here alone, between frames and while one is registered
   preparing.registration.num_threads = std::max(1, num_threads / 2);
   registering.registration.num_threads = std::max(1, num_threads - num_threads / 2);
   const auto policy = num_threads > 1 ? std::launch::async : std::launch::deferred;
@@ -58,6 +61,7 @@ void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions
   Odometry odometry(registering, camera.readout_s);
   int segment = 0;
   for (std::optional<PreparedFrame> frame = prepare_next(); frame;) {
+    throw_if_stopped(options.registration.stop);
     std::future<std::optional<PreparedFrame>> following = std::async(policy, prepare_next);
     const FrameReport report = report_on(*frame, odometry, segment);
     segment = report.segment;

@@ -10,7 +10,8 @@
 namespace augicp {
 
 // Calls on_frame, in the calling thread, with the report of every frame in order; the same for any number of threads.
-// An image of another size than the camera's makes its frame Unreadable.
+// An image of another size than the camera's makes its frame Unreadable. Throws Interrupted, once all its threads have
+// ended, after a request to options.registration.stop.
 void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
            const std::function<void(const FrameReport&)>& on_frame);
 

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <stop_token>
+#include <thread>
 
+#include "augicp/core/error.h"
 #include "augicp/geometry/rotation.h"
 #include "augicp/testing/rendering.h"
 #include "augicp/testing/scenes.h"
@@ -156,6 +159,21 @@ TEST(Track, MemoryDoesNotGrowWithTheLengthOfTheRun) {
   EXPECT_EQ(num_with_pose, kFrames);
   // A prepared frame of this size is 0.05 MB: keeping one in ten would show.
   EXPECT_LT(resident_megabytes() - settled_megabytes, 5.0);
+}
+
+TEST(TrackInterrupted, EndsAfterTheFrameInWhichAnEndWasAskedFor) {
+  for (const int num_threads : {1, 2}) {
+    std::stop_source stop;
+    OdometryOptions options = small_images(num_threads);
+    options.registration.stop = stop.get_token();
+    ListedFrames source(moving_frames(6));
+    int num_reports = 0;
+    const auto on_frame = [&](const FrameReport&) {
+      if (++num_reports == 3) std::thread([&stop] { stop.request_stop(); }).join();
+    };
+    EXPECT_THROW(track(source, {testing::kinect_like_camera(kWidth), {}, 0.0}, options, on_frame), Interrupted);
+    EXPECT_EQ(num_reports, 3);
+  }
 }
 
 }  // namespace

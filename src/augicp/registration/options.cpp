@@ -102,6 +102,7 @@ AlignOptions align_options(const Lengths& lengths, bool projective, const Regist
   align.min_rotation_step = options.min_step;
   align.correlation_length = kCorrelationPerRadius * lengths.radius;
   align.num_threads = options.num_threads;
+  align.stop = options.stop;
   return align;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string_view>
 
 #include "augicp/align/align.h"
@@ -55,6 +56,10 @@ struct RegistrationOptions {
   double min_step = 1e-5;
 
   int num_threads = 0;  // 0: all the machine's
+
+  // Asked before each stage of prepare(), each start that is tried and each iteration: the call throws Interrupted once
+  // an end is requested, from any thread.
+  std::stop_token stop{};
 
   // Throws std::invalid_argument naming the first option out of its range.
   void check() const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/stop.h"
 #include "augicp/registration/coarse_to_fine.h"
 #include "augicp/registration/level.h"
 #include "augicp/surface/ball_neighbourhood.h"
@@ -36,13 +37,15 @@ void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOpti
     return;
   }
   const BallOptions ball{lengths.radius, kMinBallPoints, kMaxBallGrowth * lengths.radius};
-  estimate_surface(scan.cloud, BallNeighbourhood(scan.cloud, ball, options.num_threads), surface_options(options),
-                   options.num_threads);
+  const BallNeighbourhood neighbourhood(scan.cloud, ball, options.num_threads);
+  throw_if_stopped(options.stop);
+  estimate_surface(scan.cloud, neighbourhood, surface_options(options), options.num_threads);
 }
 
 }  // namespace
 
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
+  throw_if_stopped(options.stop);
   // Without extent there are no lengths and no surface: empty, or all points in one place.
   if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
   if (!scan.view) {
@@ -51,6 +54,7 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
   if (scan.cloud.has_directions()) return scan;
+  throw_if_stopped(options.stop);
   estimate_surface(scan, lengths, options);
   return scan;
 }

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
+#include <stop_token>
+#include <thread>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/error.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
 #include "augicp/testing/room_pair.h"
@@ -196,6 +200,32 @@ TEST(Registration, OneWallIsDegenerate) {
   const Pinhole camera = testing::kinect_like_camera(160);
   const DepthImage wall = testing::render(testing::single_plane(), camera).depth;
   EXPECT_EQ(register_scans(scan_of(wall, camera), scan_of(wall, camera)).status, AlignStatus::Degenerate);
+}
+
+TEST(RegistrationInterrupted, ByATokenThatIsAlreadyStopped) {
+  const Pair pair = room_clouds();
+  std::stop_source stop;
+  RegistrationOptions options;
+  options.stop = stop.get_token();
+  const Lengths lengths = lengths_for(pair.source, pair.target, options);
+  const Scan source = prepare(pair.source, lengths, options), target = prepare(pair.target, lengths, options);
+  stop.request_stop();
+  EXPECT_THROW(prepare(pair.source, lengths, options), Interrupted);
+  EXPECT_THROW(register_prepared(source, target, Rigid3{}, lengths, options), Interrupted);
+  EXPECT_THROW(register_scans(pair.source, pair.target, Rigid3{}, options), Interrupted);
+}
+
+// It would go on for ever: the request ends it, whenever it comes.
+TEST(RegistrationInterrupted, FromAnotherThread) {
+  for (const Pair& pair : {room_pair(0.1, 0.1), room_clouds()}) {
+    RegistrationOptions options;
+    options.min_step = 0.0;
+    options.max_iterations = std::numeric_limits<int>::max();
+    std::stop_source stop;
+    options.stop = stop.get_token();
+    const std::jthread asking([&stop] { stop.request_stop(); });
+    EXPECT_THROW(register_scans(pair.source, pair.target, Rigid3{}, options), Interrupted);
+  }
 }
 
 }  // namespace

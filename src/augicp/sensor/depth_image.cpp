@@ -1,12 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/sensor/depth_image.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "augicp/core/check.h"
 
 namespace augicp {
+namespace {
+
+// The largest value says "out of range" where it is written at all (7-Scenes); no sensor measures up to it.
+constexpr std::uint16_t kOutOfRange = 65535;
+
+float metres(std::uint16_t value, double depth_scale) {
+  const bool is_reading = value != 0 && value != kOutOfRange;
+  return is_reading ? static_cast<float>(value / depth_scale) : std::numeric_limits<float>::quiet_NaN();
+}
+
+float metres(float value, double depth_scale) {
+  const bool is_reading = std::isfinite(value) && value > 0.0f;
+  return is_reading ? static_cast<float>(static_cast<double>(value) / depth_scale) : std::numeric_limits<float>::quiet_NaN();
+}
+
+template <typename Value>
+DepthImage image_of(std::span<const Value> values, int width, int height, double depth_scale) {
+  require_positive("depth_scale", depth_scale);
+  DepthImage image{width, height, {}};
+  image.depth.reserve(values.size());
+  for (const Value value : values) image.depth.push_back(metres(value, depth_scale));
+  check_size(image, Pinhole{1.0, 1.0, 0.0, 0.0});
+  return image;
+}
+
+}  // namespace
+
+DepthImage depth_image(std::span<const std::uint16_t> values, int width, int height, double depth_scale) {
+  return image_of(values, width, height, depth_scale);
+}
+
+DepthImage depth_image(std::span<const float> values, int width, int height, double depth_scale) {
+  return image_of(values, width, height, depth_scale);
+}
 
 void check_size(const DepthImage& image, const Pinhole& camera) {
   camera.check();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "augicp/cloud/cloud.h"
@@ -18,6 +20,12 @@ struct DepthImage {
 
   float at(int u, int v) const { return depth[static_cast<std::size_t>(v) * width + u]; }
 };
+
+// The image of a sensor's values, row-major: metres = value / depth_scale; 0 and 65535 are no reading, of values with
+// fractions those that are not above 0 or not finite. Both throw std::invalid_argument unless depth_scale is finite and above 0 and there
+// are width * height values.
+DepthImage depth_image(std::span<const std::uint16_t> values, int width, int height, double depth_scale);
+DepthImage depth_image(std::span<const float> values, int width, int height, double depth_scale);
 
 // Throws std::invalid_argument where the image's size is not the camera's or its array's length is not width * height.
 void check_size(const DepthImage& image, const Pinhole& camera);

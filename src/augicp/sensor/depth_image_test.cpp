@@ -54,5 +54,18 @@ TEST(DepthImage, WrongSizesAreRefused) {
   EXPECT_NO_THROW(unproject({0, 0, {}}, kCamera));
 }
 
+TEST(DepthImage, ValuesAreDividedByTheScale) {
+  const std::vector<std::uint16_t> values{0, 5000, 65535, 1};
+  const DepthImage image = depth_image(values, 2, 2, 5000.0);
+  EXPECT_EQ(image.at(1, 0), 1.0f);
+  EXPECT_EQ(image.at(1, 1), static_cast<float>(1 / 5000.0));
+  EXPECT_TRUE(std::isnan(image.at(0, 0)) && std::isnan(image.at(0, 1)));
+  const DepthImage with_fractions = depth_image(std::vector<float>{1500.0f, 0.0f, -1.0f, INFINITY}, 4, 1, 1000.0);
+  EXPECT_EQ(with_fractions.at(0, 0), 1.5f);
+  for (int u = 1; u < 4; ++u) EXPECT_TRUE(std::isnan(with_fractions.at(u, 0))) << u;
+  EXPECT_THROW(depth_image(values, 2, 2, 0.0), std::invalid_argument);
+  EXPECT_THROW(depth_image(values, 2, 1, 5000.0), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace augicp

@@ -8,6 +8,9 @@
 
 namespace augicp {
 
+// Where nothing says how many frames a second there were.
+inline constexpr double kUsualFramesPerS = 30.0;
+
 struct DepthFrame {
   double stamp_s = 0.0;
   DepthImage image;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace augicp {
+
+// The word of a choice in a table of them; empty where the table lacks it.
+template <typename Value>
+std::string word_for(const std::map<std::string, Value>& words, Value value) {
+  for (const auto& [word, meaning] : words)
+    if (meaning == value) return word;
+  return {};
+}
+
+}  // namespace augicp

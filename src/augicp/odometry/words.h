@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The words for choices, in the command, its files and in Python.
+#pragma once
+
+#include "augicp/core/words.h"
+#include "augicp/odometry/odometry.h"
+
+namespace augicp {
+
+inline const std::map<std::string, Reference> kReferences{{"model", Reference::Model},
+                                                         {"previous", Reference::PreviousFrame}};
+
+}  // namespace augicp
