@@ -97,6 +97,11 @@ class Odometry {
   // status and no pose, and the next one is tried again.
   FrameReport add(double stamp_s, const Scan& frame);
 
+  // What the next frame will be registered to, and where that lies; nothing before the first frame with readings. Valid
+  // until the next add().
+  const LocalModel* reference() const { return reference_ ? &*reference_ : nullptr; }
+  const Rigid3& world_from_reference() const { return world_from_reference_; }
+
  private:
   Rigid3 predicted(double stamp_s) const;
   Scan straightened(const Scan& frame, double stamp_s, const Rigid3& world_from_camera) const;
