@@ -49,8 +49,8 @@ std::vector<Quantity> synthetic_quantities(const std::vector<SyntheticRow>& rows
       const MeanInterval& error = is_first ? row.translation : row.rotation;
       const double unit = is_first ? 1.0 : kDegrees;
       Chart& chart = chart_called(quantity, {title, "iteration", is_first ? "m" : "degrees", true});
-      add(chart, word_for(kMethods, row.method), row.iteration, unit * error.mean, unit * (error.mean - error.half_width),
-          unit * (error.mean + error.half_width));
+      add(chart, word_for(kMethods, row.method), row.iteration, unit * error.mean,
+          unit * (error.mean - error.half_width), unit * (error.mean + error.half_width));
     }
   }
   return quantities;
@@ -58,13 +58,16 @@ std::vector<Quantity> synthetic_quantities(const std::vector<SyntheticRow>& rows
 
 std::vector<Quantity> sequence_quantities(std::span<const SequenceCurve> curves, const Trajectory& truth,
                                           const std::vector<double>& time_offsets_s) {
-  std::vector<Quantity> quantities{{"Mean translation error, m", {}}, {"Mean rotation error, degrees", {}},
-                                   {"Success (5 cm, 2°), %", {}}, {"Narrow success (2 cm, 1°), %", {}}};
+  std::vector<Quantity> quantities{{"Mean translation error, m", {}},
+                                   {"Mean rotation error, degrees", {}},
+                                   {"Success (5 cm, 2°), %", {}},
+                                   {"Narrow success (2 cm, 1°), %", {}}};
   for (const double offset_s : time_offsets_s)
     for (const SequenceRow& row : summarize(curves, truth, offset_s)) {
       std::string title = fmt::format("gap {}, preset {}", row.gap, word_for(kPresets, row.preset));
       if (time_offsets_s.size() > 1) title += fmt::format(", offset {:.1f} ms", 1000.0 * offset_s);
-      const double values[] = {row.translation.mean, kDegrees * row.rotation.mean, 100.0 * row.success, 100.0 * row.success_narrow};
+      const double values[] = {row.translation.mean, kDegrees * row.rotation.mean, 100.0 * row.success,
+                               100.0 * row.success_narrow};
       const char* const units[] = {"m", "degrees", "%", "%"};
       for (std::size_t i = 0; i < quantities.size(); ++i) {
         Chart& chart = chart_called(quantities[i], {title, "iteration", units[i], i < 2});

@@ -19,7 +19,8 @@ Trajectory during(const Trajectory& truth, const Trajectory& estimate, double of
   Trajectory within;
   if (estimate.empty()) return within;
   for (const StampedPose& pose : truth)
-    if (pose.stamp_s >= estimate.front().stamp_s + offset_s - 0.1 && pose.stamp_s <= estimate.back().stamp_s + offset_s + 0.1)
+    if (pose.stamp_s >= estimate.front().stamp_s + offset_s - 0.1 &&
+        pose.stamp_s <= estimate.back().stamp_s + offset_s + 0.1)
       within.push_back(pose);
   Trajectory thinned;
   for (const std::uint32_t i : thinned_indices(within.size(), kMaxTruePoses)) thinned.push_back(within[i]);
@@ -102,8 +103,9 @@ std::string truth_lines(const OdometryView& view) {
 
 nlohmann::ordered_json camera_json(const OdometryView& view, bool from_above) {
   const Vec3d target = from_above ? Vec3d::Zero() : Vec3d(0.25 * view.extent * view.looks);
-  const Vec3d eye = from_above ? Vec3d(1.5 * view.extent * view.up)
-                               : Vec3d(view.extent * (0.75 * view.up - 1.15 * view.looks + 0.35 * view.up.cross(view.looks)));
+  const Vec3d eye = from_above
+                        ? Vec3d(1.5 * view.extent * view.up)
+                        : Vec3d(view.extent * (0.75 * view.up - 1.15 * view.looks + 0.35 * view.up.cross(view.looks)));
   return {{"eye", numbers(eye)}, {"target", numbers(target)}, {"up", numbers(from_above ? view.ahead : view.up)}};
 }
 

@@ -15,12 +15,12 @@ namespace augicp::app {
 struct OdometryView {
   Similarity3 truth_from_world;
   Vec3d centre = Vec3d::Zero();
-  double extent = 1.0;                // of the trajectory, metres, above 0
-  Vec3d up = -Vec3d::UnitY();         // the axis, or its opposite, that is most upwards to the camera
-  Vec3d right = Vec3d::UnitX();       // of somebody who looks down
-  Vec3d ahead = Vec3d::UnitZ();       // and what is above in that view
-  Vec3d looks = Vec3d::UnitZ();       // where the camera looks on the whole
-  Trajectory truth;                   // during the run, thinned
+  double extent = 1.0;           // of the trajectory, metres, above 0
+  Vec3d up = -Vec3d::UnitY();    // the axis, or its opposite, that is most upwards to the camera
+  Vec3d right = Vec3d::UnitX();  // of somebody who looks down
+  Vec3d ahead = Vec3d::UnitZ();  // and what is above in that view
+  Vec3d looks = Vec3d::UnitZ();  // where the camera looks on the whole
+  Trajectory truth;              // during the run, thinned
 
   Rigid3 page_from(const Rigid3& world_from_body) const;
   Eigen::Vector2d from_above(const Vec3d& in_page) const { return {right.dot(in_page), ahead.dot(in_page)}; }

@@ -65,6 +65,7 @@ std::vector<Chart> convergence_charts(const AlignPicture& picture) {
     step.series[0].y.push_back(steps[i].translation);
     step.series[1].y.push_back(steps[i].rotation_deg);
   }
+  for (Chart* chart : {&cost, &kernel, &step}) choose_scale(*chart);
   return {cost, pairs, kernel, step};
 }
 
@@ -95,7 +96,8 @@ std::string matrix_html(const Rigid3& target_from_source) {
   const Mat4d matrix = target_from_source.matrix();
   std::string text;
   for (int i = 0; i < 4; ++i)
-    text += fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
+    text +=
+        fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
   return "<p>Maps source coordinates into the target frame, metres.</p>\n<pre id=\"matrix\">" + text + "</pre>\n";
 }
 
@@ -108,8 +110,11 @@ void write_align_page(const std::string& path, const AlignPicture& picture) {
   side += section_html("T_target_source", matrix_html(report.result.target_from_source));
   side += section_html("Convergence", figures_html(charts));
   side += details_html("Options", html_list(effective_options(report)));
-  const std::string body = "<main class=\"staged\">\n<div id=\"stage\"></div>\n<div class=\"side\">\n" + side + "</div>\n</main>\n";
-  const PageHead head{"Alignment", std::string(name_of(report.result.status)), badge_class(report.result.status),
+  const std::string body =
+      "<main class=\"staged\">\n<div id=\"stage\"></div>\n<div class=\"side\">\n" + side + "</div>\n</main>\n";
+  const PageHead head{"Alignment",
+                      std::string(name_of(report.result.status)),
+                      badge_class(report.result.status),
                       {"Source: " + report.source, "Target: " + report.target}};
   write_page(path, head, "align", body, charts, align_json(picture));
 }

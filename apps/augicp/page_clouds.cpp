@@ -28,7 +28,8 @@ nlohmann::ordered_json cloud_json(const Cloud& cloud, const std::vector<std::uin
   nlohmann::ordered_json json{{"points", packed_points(points)}};
   if (!cloud.has_directions()) return json;
   std::vector<std::uint8_t> structures;
-  for (const Structure structure : chosen(cloud.structures, indices)) structures.push_back(static_cast<std::uint8_t>(structure));
+  for (const Structure structure : chosen(cloud.structures, indices))
+    structures.push_back(static_cast<std::uint8_t>(structure));
   json["directions"] = packed_directions(chosen(cloud.directions, indices));
   json["structures"] = packed_bytes(structures);
   return json;
@@ -76,7 +77,9 @@ nlohmann::ordered_json view_json(const CloudFrame& frame) {
     const Vec3d eye = 1.35 * *frame.eye + frame.extent * Vec3d(0.25, -0.18, 0.0);
     return {{"eye", numbers(eye)}, {"target", numbers(zero)}, {"up", numbers(-Vec3d::UnitY())}};
   }
-  return {{"eye", numbers(frame.extent * Vec3d(-0.8, -1.1, 0.8))}, {"target", numbers(zero)}, {"up", numbers(Vec3d::UnitZ())}};
+  return {{"eye", numbers(frame.extent * Vec3d(-0.8, -1.1, 0.8))},
+          {"target", numbers(zero)},
+          {"up", numbers(Vec3d::UnitZ())}};
 }
 
 PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame) {

@@ -14,8 +14,8 @@ struct CloudFrame {
   const Cloud* target = nullptr;
   Vec3f centre = Vec3f::Zero();       // of the target's points, relative to its origin
   Vec3d target_zero = Vec3d::Zero();  // the page's zero in the target's frame
-  double extent = 1.0;         // of what is to be seen, metres, above 0
-  std::optional<Vec3d> eye{};    // the target's camera, where it had one
+  double extent = 1.0;                // of what is to be seen, metres, above 0
+  std::optional<Vec3d> eye{};         // the target's camera, where it had one
 };
 CloudFrame frame_of(const Scan& source, const Scan& target);
 

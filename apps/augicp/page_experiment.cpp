@@ -16,7 +16,10 @@ void share_range(Quantity& quantity) {
     const AxisRange range = chart.y_range.value_or(y_range_of(chart));
     all = {std::min(all.low, range.low), std::max(all.high, range.high)};
   }
-  for (Chart& chart : quantity.charts) chart.y_range = all;
+  for (Chart& chart : quantity.charts) {
+    chart.y_range = all;
+    if (chart.log_y) choose_scale(chart);
+  }
 }
 
 std::string quantity_html(const Quantity& quantity, std::size_t first_number) {
@@ -38,7 +41,8 @@ std::string confusion_html(const std::vector<ConfusionRow>& rows) {
       cells.back().push_back(std::to_string(count));
   }
   return section_html("Pairs by truth and status", html_table({"truth", "pairs", "converged", "doubtful", "degenerate",
-                                                               "iteration limit", "failed", "loop alone: converged"}, cells));
+                                                               "iteration limit", "failed", "loop alone: converged"},
+                                                              cells));
 }
 
 void write_experiment_page(const std::string& path, const std::vector<std::string>& lines,

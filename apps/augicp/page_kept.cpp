@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "apps/augicp/page_odometry.h"
-
 #include "apps/augicp/page_parts.h"
 #include "augicp/core/error.h"
 #include "augicp/io/depth_png.h"
@@ -18,8 +17,11 @@
 namespace augicp::app {
 namespace {
 
-// An image of 160 x 120 and a model of 5000 points take 106 kB of a file, so that a long run's 100 take 11 MB.
+// An image of 160 x 120 and a model of 5000 points take 106 kB of a file, and so do 300 frames with their poses and
+// curves: a page keeps fewer images of a long run, so that it stays below 15 MB for up to 40 000 frames.
 constexpr std::size_t kMaxKept = 100;
+constexpr std::size_t kFramesPerKept = 300;
+constexpr std::size_t kBudget = 135;  // kept frames' bytes in all
 constexpr std::size_t kMaxModelPoints = 5000;
 constexpr int kMaxColumns = 160;
 
@@ -54,7 +56,8 @@ float far_depth(const SmallImage& image) {
 std::string packed_depth(const SmallImage& image, float far) {
   std::vector<std::uint8_t> values;
   for (const float depth : image.depth)
-    values.push_back(std::isfinite(depth) ? static_cast<std::uint8_t>(1.5f + 253.0f * std::clamp(depth / far, 0.0f, 1.0f)) : 0);
+    values.push_back(
+        std::isfinite(depth) ? static_cast<std::uint8_t>(1.5f + 253.0f * std::clamp(depth / far, 0.0f, 1.0f)) : 0);
   return packed_bytes(values);
 }
 
@@ -76,7 +79,10 @@ nlohmann::ordered_json frame_json(const OdometryPicture& picture, std::size_t ro
 
 }  // namespace
 
-std::vector<std::uint32_t> kept_rows(std::size_t num_rows) { return thinned_indices(num_rows, kMaxKept); }
+std::vector<std::uint32_t> kept_rows(std::size_t num_rows) {
+  const std::size_t taken = std::min(kBudget - 1, num_rows / kFramesPerKept);
+  return thinned_indices(num_rows, std::min(kMaxKept, kBudget - taken));
+}
 
 KeptModel kept_model(std::size_t row, const Odometry& odometry) {
   KeptModel kept{row, odometry.world_from_reference(), {}};

@@ -77,8 +77,10 @@ nlohmann::ordered_json frames_json(const OdometryRun& run, const OdometryView& v
 
 std::vector<std::string> table_row(const std::string& name, const Statistics& statistics, double unit) {
   std::vector<std::string> row{name};
-  for (const double value : {statistics.rmse, statistics.mean, statistics.median, statistics.std, statistics.min, statistics.max})
-    row.push_back(fmt::format("{:.4f}", unit * value));
+  for (const double value :
+       {statistics.rmse, statistics.mean, statistics.median, statistics.std, statistics.min, statistics.max})
+    row.push_back(fmt::format("{:.{}f}", unit * value,
+                              unit == 1.0 ? 4 : 3));  // a tenth of a millimetre, a thousandth of a degree
   return row;
 }
 
@@ -86,18 +88,21 @@ std::string errors_html(const Evaluation& evaluation) {
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& name, const PoseStatistics& errors) {
     rows.push_back(table_row(name + ", m", errors.translation, 1.0));
-    rows.push_back(table_row(name + ", degrees", errors.rotation, kDegrees));
+    rows.push_back(table_row(name + ", °", errors.rotation, kDegrees));
   };
   if (evaluation.aligned) add("ATE aligned", *evaluation.aligned);
   if (evaluation.relative) add("RPE", *evaluation.relative);
   add("ATE not aligned", evaluation.absolute);
-  return fmt::format("<p>{} of {} poses have a true one of the same moment.</p>\n", evaluation.num_matched, evaluation.num_estimate) +
+  return fmt::format("<p>{} of {} poses have a true one of the same moment.</p>\n", evaluation.num_matched,
+                     evaluation.num_estimate) +
          html_table({"", "rmse", "mean", "median", "std", "min", "max"}, rows);
 }
 
 std::string kept_text(const OdometryPicture& picture) {
-  return fmt::format("<p>Depth image and local model are kept for {} of {} frames; the last one before the frame chosen is shown.</p>\n",
-                     picture.models.size(), picture.run.rows.size());
+  return fmt::format(
+      "<p>Depth image and local model are kept for {} of {} frames; the last one before the frame chosen is "
+      "shown.</p>\n",
+      picture.models.size(), picture.run.rows.size());
 }
 
 std::string side_html(const OdometryPicture& picture, const OdometryView& view, const std::vector<Chart>& charts) {
@@ -107,13 +112,18 @@ std::string side_html(const OdometryPicture& picture, const OdometryView& view, 
   if (!run.evaluation_problem.empty())
     side += section_html("Not compared with the ground truth", "<p>" + escaped_html(run.evaluation_problem) + "</p>\n");
   side += section_html("Over time", figures_html(charts));
-  const std::vector<std::string> names = view.truth.empty() ? std::vector<std::string>{} : std::vector<std::string>{"ground truth", "estimate"};
+  const std::vector<std::string> names =
+      view.truth.empty() ? std::vector<std::string>{} : std::vector<std::string>{"ground truth", "estimate"};
   return side + section_html("From above", legend_html(names) + top_view_svg(run, view));
 }
 
 PageHead head_of(const OdometryRun& run) {
   const bool is_good = mostly_tracked(run) && num_segments(run) == 1;
-  PageHead head{"Odometry", is_good ? "tracked" : num_segments(run) > 1 ? "lost in between" : "hardly tracked", is_good ? "good" : "warn",
+  PageHead head{"Odometry",
+                is_good                 ? "tracked"
+                : num_segments(run) > 1 ? "lost in between"
+                                        : "hardly tracked",
+                is_good ? "good" : "warn",
                 {"Sequence: " + run.sequence}};
   head.lines.push_back(fmt::format("{} frames, {} with a pose", run.rows.size(), trajectory_of(run).size()));
   return head;

@@ -18,8 +18,8 @@ struct KeptModel {
 };
 KeptModel kept_model(std::size_t row, const Odometry& odometry);
 
-// The rows whose depth image and local model the page has, ascending: all of a short run, of a long one so many that the
-// file stays below 15 MB.
+// The rows whose depth image and local model the page has, ascending: all of a short run, of a long one so many that
+// the file stays below 15 MB.
 std::vector<std::uint32_t> kept_rows(std::size_t num_rows);
 
 struct OdometryPicture {

@@ -3,15 +3,30 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "apps/augicp/report_bundle.h"
 #include "augicp/io/atomic_file.h"
+#include "augicp/io/parse_number.h"
 
 namespace augicp::app {
 namespace {
 
+// Seven digits are more than a chart shows, and half the bytes.
+double shortened(double value) {
+  const int digits = 7;
+  return std::isfinite(value) ? parse_double(fmt::format("{:.{}g}", value, digits)).value_or(value) : value;
+}
+
+std::vector<double> shortened(std::vector<double> values) {
+  for (double& value : values) value = shortened(value);
+  return values;
+}
+
 nlohmann::ordered_json series_json(const ChartSeries& series) {
-  nlohmann::ordered_json json{{"name", series.name}, {"y", series.y}};
-  if (!series.low.empty() && !series.high.empty()) json.update({{"low", series.low}, {"high", series.high}});
+  nlohmann::ordered_json json{{"name", series.name}, {"y", shortened(series.y)}};
+  if (!series.low.empty() && !series.high.empty())
+    json.update({{"low", shortened(series.low)}, {"high", shortened(series.high)}});
   return json;
 }
 
@@ -20,7 +35,7 @@ nlohmann::ordered_json chart_json(const Chart& chart) {
   nlohmann::ordered_json series = nlohmann::ordered_json::array();
   for (const ChartSeries& one : chart.series) series.push_back(series_json(one));
   return {{"title", chart.title}, {"x_label", chart.x_label}, {"y_label", chart.y_label},
-          {"log_y", chart.log_y}, {"x", chart.x},             {"y_range", {range.low, range.high}},
+          {"log_y", chart.log_y}, {"x", shortened(chart.x)},  {"y_range", {range.low, range.high}},
           {"series", series}};
 }
 
@@ -62,7 +77,7 @@ nlohmann::ordered_json charts_json(std::span<const Chart> charts) {
 
 std::vector<double> pose_numbers(const Rigid3& page_from_body) {
   const Mat4d matrix = page_from_body.matrix();
-  return {matrix.data(), matrix.data() + matrix.size()};
+  return shortened(std::vector<double>(matrix.data(), matrix.data() + matrix.size()));
 }
 
 std::vector<double> numbers(const Vec3d& vector) { return {vector.begin(), vector.end()}; }

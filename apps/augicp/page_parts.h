@@ -14,9 +14,9 @@
 namespace augicp::app {
 
 struct PageHead {
-  std::string title;                // what kind of report
-  std::string badge, badge_class;   // a word, and good, warn or bad; empty: none
-  std::vector<std::string> lines;   // of text below
+  std::string title;               // what kind of report
+  std::string badge, badge_class;  // a word, and good, warn or bad; empty: none
+  std::vector<std::string> lines;  // of text below
 };
 std::string header_html(const PageHead& head);
 

@@ -18,11 +18,11 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
   const Testimony &one = evidence.source_in_target, &other = evidence.target_in_source;
   switch (doubt) {
     case Doubt::LittleSeen:
-      return fmt::format("Little is seen of the other cloud: {:.1f} % and {:.1f} %; {:.0f} % are asked for.", 100.0 * one.seen(),
-                         100.0 * other.seen(), 100.0 * limits.min_seen);
+      return fmt::format("Little is seen of the other cloud: {:.1f} % and {:.1f} %; {:.0f} % are asked for.",
+                         100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_seen);
     case Doubt::Disagreement:
-      return fmt::format("Of what is seen, only {:.1f} % and {:.1f} % lie on the other's surface.", 100.0 * one.agreeing(),
-                         100.0 * other.agreeing());
+      return fmt::format("Of what is seen, only {:.1f} % and {:.1f} % lie on the other's surface.",
+                         100.0 * one.agreeing(), 100.0 * other.agreeing());
     case Doubt::FreeSpace:
       return fmt::format("{:.1f} % and {:.1f} % lie where the other's camera saw through; at most {:.0f} % may.",
                          100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting);
@@ -32,8 +32,9 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
 
 std::string free_text(const FreeMotion& motion) {
   const Vec3d &axis = motion.axis, &point = motion.point;
-  std::string text = fmt::format("Free: {} {} ({:.3f} {:.3f} {:.3f})", name_of(motion.kind),
-                                 motion.kind == FreeMotion::Kind::Translation ? "along" : "about", axis.x(), axis.y(), axis.z());
+  std::string text =
+      fmt::format("Free: {} {} ({:.3f} {:.3f} {:.3f})", name_of(motion.kind),
+                  motion.kind == FreeMotion::Kind::Translation ? "along" : "about", axis.x(), axis.y(), axis.z());
   if (motion.kind != FreeMotion::Kind::Translation)
     text += fmt::format(" through ({:.3f} {:.3f} {:.3f}) m", point.x(), point.y(), point.z());
   return text + ".";

@@ -14,8 +14,8 @@ struct AxisRange {
 // (1 to 10) where there are none.
 AxisRange range_of(const std::vector<double>& values, bool is_log);
 
-// Round values within the range, about as many as wanted, ascending: 1, 2 or 5 times powers of ten; powers of ten alone on a
-// logarithmic axis that has two of them.
+// Round values within the range, about as many as wanted, ascending: 1, 2 or 5 times powers of ten; powers of ten alone
+// on a logarithmic axis that has two of them.
 std::vector<double> axis_ticks(const AxisRange& range, bool is_log, int num_wanted);
 
 }  // namespace augicp

@@ -15,11 +15,14 @@ namespace {
 // Strokes that people of any colour vision tell apart, by colour and by dashes: the page's style names so many.
 constexpr std::size_t kNumStrokes = 6;
 
+bool is_whole(double value) { return std::floor(value) == value; }
+
 std::string polyline(std::size_t series, const std::string& points) {
   return fmt::format("<path class=\"curve s{}\" d=\"{}\"/>\n", series % kNumStrokes, points);
 }
 
-std::string curve(const PlotArea& area, const std::vector<double>& x, const std::vector<double>& y, std::size_t series) {
+std::string curve(const PlotArea& area, const std::vector<double>& x, const std::vector<double>& y,
+                  std::size_t series) {
   std::string points;
   bool is_pen_down = false;
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
@@ -51,8 +54,15 @@ AxisRange y_range_of(const Chart& chart) {
   return range_of(values, chart.log_y);
 }
 
+void choose_scale(Chart& chart) {
+  chart.log_y = true;
+  const AxisRange range = chart.y_range.value_or(y_range_of(chart));
+  chart.log_y = range.low > 0.0 && range.high > 10.0 * range.low;
+}
+
 std::string chart_svg(const Chart& chart) {
-  const PlotArea area{range_of(chart.x, false), chart.y_range.value_or(y_range_of(chart)), chart.log_y};
+  PlotArea area{range_of(chart.x, false), chart.y_range.value_or(y_range_of(chart)), chart.log_y};
+  area.whole_x = std::all_of(chart.x.begin(), chart.x.end(), is_whole);
   std::string content = axes_svg(area, chart.x_label, chart.y_label);
   for (std::size_t i = 0; i < chart.series.size(); ++i) content += band(area, chart.x, chart.series[i], i);
   for (std::size_t i = 0; i < chart.series.size(); ++i) content += curve(area, chart.x, chart.series[i].y, i);
@@ -76,16 +86,18 @@ std::string paths_svg(const std::string& title, const std::string& x_label, cons
   std::string content = axes_svg(area, x_label, y_label);
   for (std::size_t i = 0; i < paths.size(); ++i) content += curve(area, x[i], y[i], i);
   // Where a script puts its marker: the origin and the length of a metre.
-  content += fmt::format("<g class=\"marker\" data-x=\"{:.4f}\" data-y=\"{:.4f}\" data-scale=\"{:.6g}\"></g>\n", area.at_x(0.0),
-                         area.at_y(0.0), area.at_x(1.0) - area.at_x(0.0));
+  content += fmt::format("<g class=\"marker\" data-x=\"{:.4f}\" data-y=\"{:.4f}\" data-scale=\"{:.6g}\"></g>\n",
+                         area.at_x(0.0), area.at_y(0.0), area.at_x(1.0) - area.at_x(0.0));
   return svg(area, title, content);
 }
 
 std::string legend_html(const std::vector<std::string>& names) {
   std::string html = "<p class=\"legend\">";
   for (std::size_t i = 0; i < names.size(); ++i)
-    html += fmt::format("<span><svg viewBox=\"0 0 24 8\" aria-hidden=\"true\"><path class=\"curve s{}\" d=\"M0 4L24 4\"/></svg>{}</span>",
-                        i % kNumStrokes, escaped_html(names[i]));
+    html += fmt::format(
+        "<span><svg viewBox=\"0 0 24 8\" aria-hidden=\"true\"><path class=\"curve s{}\" d=\"M0 4L24 "
+        "4\"/></svg>{}</span>",
+        i % kNumStrokes, escaped_html(names[i]));
   return html + "</p>\n";
 }
 

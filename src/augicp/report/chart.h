@@ -25,6 +25,10 @@ struct Chart {
   std::optional<AxisRange> y_range{};  // not set: that of the series
 };
 
+// A logarithmic axis where the values span more than a power of ten, and a linear one where they do not: there it would
+// have hardly a number.
+void choose_scale(Chart& chart);
+
 // The range of all series, bands included.
 AxisRange y_range_of(const Chart& chart);
 

@@ -47,13 +47,17 @@ std::string json_in_html(std::string_view json) {
   text.reserve(json.size());
   for (std::size_t i = 0; i < json.size(); ++i) {
     const std::string_view rest = json.substr(i, 3);
-    if (rest.front() == '<') text += "\\u003c";
-    else if (rest.front() == '>') text += "\\u003e";
-    else if (rest.front() == '&') text += "\\u0026";
+    if (rest.front() == '<')
+      text += "\\u003c";
+    else if (rest.front() == '>')
+      text += "\\u003e";
+    else if (rest.front() == '&')
+      text += "\\u0026";
     else if (rest == "\xe2\x80\xa8" || rest == "\xe2\x80\xa9") {  // U+2028, U+2029: line ends to JavaScript
       text += rest == "\xe2\x80\xa8" ? "\\u2028" : "\\u2029";
       i += 2;
-    } else text += rest.front();
+    } else
+      text += rest.front();
   }
   return text;
 }

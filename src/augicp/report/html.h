@@ -9,7 +9,8 @@
 
 namespace augicp {
 
-// For element content and for attributes in double quotes. Control characters, which HTML has no word for, become U+FFFD.
+// For element content and for attributes in double quotes. Control characters, which HTML has no word for, become
+// U+FFFD.
 std::string escaped_html(std::string_view text);
 
 // JSON as the content of a <script> element: neither a tag nor a comment can begin in it, and it stays JSON.

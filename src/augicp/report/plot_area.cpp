@@ -17,7 +17,8 @@ std::string text(double x, double y, const char* anchor, const std::string& word
 }
 
 std::string grid_line(double x1, double y1, double x2, double y2) {
-  return fmt::format("<line class=\"grid\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", x1, y1, x2, y2);
+  return fmt::format("<line class=\"grid\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", x1, y1, x2,
+                     y2);
 }
 
 }  // namespace
@@ -44,6 +45,7 @@ std::string axes_svg(const PlotArea& area, const std::string& x_label, const std
   const double bottom = area.height - area.bottom, right = area.width - area.right;
   std::string content;
   for (const double tick : axis_ticks(area.x, false, 6)) {
+    if (area.whole_x && std::abs(tick - std::round(tick)) > 1e-6) continue;
     const double x = area.at_x(tick);
     content += grid_line(x, area.top, x, bottom) + text(x, bottom + 15.0, "middle", fmt::format("{:.6g}", tick));
   }
@@ -53,13 +55,14 @@ std::string axes_svg(const PlotArea& area, const std::string& x_label, const std
   }
   content += text(0.5 * (area.left + right), area.height - 6.0, "middle", escaped_html(x_label));
   const double middle = 0.5 * (area.top + bottom);
-  return content + fmt::format("<text transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", middle,
-                               escaped_html(y_label));
+  return content +
+         fmt::format("<text transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n", middle,
+                     escaped_html(y_label));
 }
 
 std::string svg(const PlotArea& area, const std::string& title, const std::string& content) {
-  return fmt::format("<svg viewBox=\"0 0 {:g} {:g}\" role=\"img\" aria-label=\"{}\">\n{}</svg>\n", area.width, area.height,
-                     escaped_html(title), content);
+  return fmt::format("<svg viewBox=\"0 0 {:g} {:g}\" role=\"img\" aria-label=\"{}\">\n{}</svg>\n", area.width,
+                     area.height, escaped_html(title), content);
 }
 
 }  // namespace augicp

@@ -11,6 +11,7 @@ namespace augicp {
 struct PlotArea {
   AxisRange x, y;
   bool log_y = false;
+  bool whole_x = false;                  // x counts something
   double width = 480.0, height = 260.0;  // of the drawing, in its units
   double left = 62.0, right = 12.0, top = 10.0, bottom = 40.0;
 

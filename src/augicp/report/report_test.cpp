@@ -57,8 +57,11 @@ TEST(Thinning, TakesOneOfEachStretch) {
 }
 
 TEST(Html, TextStaysText) {
-  EXPECT_EQ(escaped_html("<script>alert('1\"&2')</script>"), "&lt;script&gt;alert(&#39;1&quot;&amp;2&#39;)&lt;/script&gt;");
-  EXPECT_EQ(escaped_html(std::string_view("a\0b\x1b", 4)), "a\xef\xbf\xbd""b\xef\xbf\xbd");
+  EXPECT_EQ(escaped_html("<script>alert('1\"&2')</script>"),
+            "&lt;script&gt;alert(&#39;1&quot;&amp;2&#39;)&lt;/script&gt;");
+  EXPECT_EQ(escaped_html(std::string_view("a\0b\x1b", 4)),
+            "a\xef\xbf\xbd"
+            "b\xef\xbf\xbd");
   EXPECT_THAT(html_list({{"<b>", "</dd>"}}), HasSubstr("<dt>&lt;b&gt;</dt><dd>&lt;/dd&gt;</dd>"));
   EXPECT_THAT(html_table({"<i>"}, {{"<u>", "<s>"}}), HasSubstr("<th scope=\"row\">&lt;u&gt;</th><td>&lt;s&gt;</td>"));
 }
@@ -67,7 +70,8 @@ TEST(Html, JsonCannotLeaveItsElementAndSaysTheSame) {
   const std::string text = "</script><!--<script>\xe2\x80\xa8\xe2\x80\xa9 & \xe2\x80\xa6";
   const std::string json = nlohmann::json(text).dump();
   const std::string inside = json_in_html(json);
-  for (const char* forbidden : {"<", ">", "&", "\xe2\x80\xa8", "\xe2\x80\xa9"}) EXPECT_THAT(inside, Not(HasSubstr(forbidden)));
+  for (const char* forbidden : {"<", ">", "&", "\xe2\x80\xa8", "\xe2\x80\xa9"})
+    EXPECT_THAT(inside, Not(HasSubstr(forbidden)));
   EXPECT_EQ(nlohmann::json::parse(inside), nlohmann::json::parse(json));
 }
 
@@ -95,6 +99,23 @@ TEST(Chart, DrawsHolesWhereValuesAreNotFinite) {
   EXPECT_THAT(svg, Not(HasSubstr("inf")));
   const std::size_t first = svg.find("curve s0");
   EXPECT_EQ(std::count(svg.begin() + static_cast<std::ptrdiff_t>(first), svg.end(), 'M'), 2);
+}
+
+TEST(Chart, IsLogarithmicWhereThatShowsMore) {
+  Chart chart{"", "", "", true, {1, 2}, {{"", {2.0, 3.0}}}};
+  choose_scale(chart);
+  EXPECT_FALSE(chart.log_y);
+  chart.series[0].y = {1e-6, 3.0};
+  choose_scale(chart);
+  EXPECT_TRUE(chart.log_y);
+  chart.series[0].y = {0.0, 0.0};
+  choose_scale(chart);
+  EXPECT_FALSE(chart.log_y);
+}
+
+TEST(Chart, CountsInWholeNumbers) {
+  EXPECT_THAT(chart_svg({"", "", "", false, {1, 2, 3}, {{"", {1, 2, 3}}}}), Not(HasSubstr(">2.5<")));
+  EXPECT_THAT(chart_svg({"", "", "", false, {1, 2.1, 3}, {{"", {10, 20, 30}}}}), HasSubstr(">2.5<"));
 }
 
 TEST(Chart, SurvivesAnyNumbers) {

@@ -21,6 +21,6 @@ export default typescript.config(
   },
   {
     files: ["*.mjs", "test/*.mjs"],
-    languageOptions: { globals: { console: "readonly", process: "readonly", Buffer: "readonly", document: "readonly", window: "readonly", URL: "readonly", performance: "readonly", requestAnimationFrame: "readonly" } },
+    languageOptions: { globals: { console: "readonly", process: "readonly", Buffer: "readonly", document: "readonly", window: "readonly", URL: "readonly", performance: "readonly", requestAnimationFrame: "readonly", setTimeout: "readonly" } },
   },
 );

@@ -92,10 +92,10 @@ function addCopyButton(): void {
   const copy = element("button", "copy", "Copy");
   copy.type = "button";
   copy.addEventListener("click", () => {
-    navigator.clipboard.writeText(matrix.textContent).then(
-      () => { copy.textContent = "Copied"; },
-      () => { getSelection()?.selectAllChildren(matrix); copy.textContent = "Selected"; },
-    );
+    const select = (): void => { getSelection()?.selectAllChildren(matrix); copy.textContent = "Selected"; };
+    const { clipboard } = navigator as Partial<Navigator>; // only where the browser trusts the page
+    if (clipboard) clipboard.writeText(matrix.textContent).then(() => { copy.textContent = "Copied"; }, select);
+    else select();
   });
   const line = element("div", "with-copy");
   matrix.before(line);

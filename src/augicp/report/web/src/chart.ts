@@ -6,6 +6,7 @@ import { cssColour, element, onColourScheme } from "./dom";
 
 const kDashes = [[], [7, 4], [2, 3], [9, 3, 2, 3], [4, 2], [1, 3]];
 const kHeight = 190;
+const kWholeSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
 
 export interface LiveChart {
   mark(x: number): void;
@@ -37,7 +38,7 @@ function seriesOf(chart: ChartData): { series: uPlot.Series[]; values: Maybe[][]
 }
 
 function digits(value: number): string {
-  return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6) ? String(Number(value.toPrecision(4))) : value.toExponential(2);
+  return value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6) ? String(Number(value.toPrecision(6))) : value.toExponential(2).replace(/\.?0+e/, "e");
 }
 
 // The values at the pointer, beside it.
@@ -85,6 +86,16 @@ function marker(at: { x: number | null }): uPlot.Plugin {
   return { hooks: { draw } };
 }
 
+// Powers of ten, a few of them; of a range without two of these 1, 2 and 5 times them.
+function logSplits(low: number, high: number): number[] {
+  const first = Math.ceil(Math.log10(low) - 1e-9);
+  const last = Math.floor(Math.log10(high) + 1e-9);
+  const stride = Math.max(1, Math.ceil((last - first + 1) / 6));
+  const powers = Array.from({ length: last - first + 3 }, (_, i) => first - 1 + i);
+  if (last - first >= 1) return powers.filter((power) => (power - first) % stride === 0).map((power) => 10 ** power);
+  return powers.flatMap((power) => [1, 2, 5].map((factor) => factor * 10 ** power));
+}
+
 function axes(chart: ChartData): uPlot.Axis[] {
   const common = {
     stroke: () => cssColour("--muted"),
@@ -97,8 +108,14 @@ function axes(chart: ChartData): uPlot.Axis[] {
   };
   const numbers = (_: uPlot, splits: Maybe[]): string[] => splits.map((value) => (value === null ? "" : digits(value)));
   return [
-    { ...common, label: chart.x_label, size: 24, values: numbers },
-    { ...common, label: chart.y_label, size: 46, values: numbers },
+    { ...common, label: chart.x_label, size: 24, values: numbers, ...(chart.x.every(Number.isInteger) ? { incrs: kWholeSteps } : {}) },
+    {
+      ...common,
+      label: chart.y_label,
+      size: 48,
+      values: numbers,
+      ...(chart.log_y ? { filter: (_: uPlot, splits: number[]) => splits, splits: (_: uPlot, __: number, low: number, high: number) => logSplits(low, high) } : {}),
+    },
   ];
 }
 
@@ -111,6 +128,7 @@ export function makeChart(figure: HTMLElement, chart: ChartData, onPick?: (index
   const plot = new uPlot({
     width: Math.max(200, figure.clientWidth),
     height: kHeight,
+    padding: [8, 10, 0, 0],
     legend: { show: false },
     cursor: { y: false, drag: { x: false, y: false }, points: { size: 6 } },
     scales: {

@@ -19,7 +19,7 @@ const kVertexShader = `
   varying vec3 colour;
 
   vec3 residualColour(float residual) {
-    if (!(residual >= 0.0)) return none;
+    if (residual > 1e14) return none;
     float share = clamp(residual / residualScale, 0.0, 1.0);
     return share < 0.5 ? mix(low, middle, 2.0 * share) : mix(middle, high, 2.0 * share - 1.0);
   }
@@ -44,6 +44,9 @@ const kFragmentShader = `
     gl_FragColor = vec4(colour, 1.0);
   }`;
 
+// In place of a partner that is not there: graphics cards need not know NaN.
+const kFar = 1e15;
+
 const kColours = ["planar", "edge", "none", "low", "middle", "high"] as const;
 
 // A colour as it stands in the style sheet; the shader writes it to the screen as it is.
@@ -60,7 +63,8 @@ function geometryOf(cloud: CloudData): BufferGeometry {
   geometry.setAttribute("direction", new BufferAttribute(directions, 3, true));
   const structures = cloud.structures === undefined ? new Uint8Array(count) : unsignedBytes(cloud.structures);
   geometry.setAttribute("structure", new BufferAttribute(structures, 1));
-  const partners = cloud.partners === undefined ? new Float32Array(3 * count).fill(NaN) : floats(cloud.partners);
+  const partners = cloud.partners === undefined ? new Float32Array(3 * count).fill(kFar) : floats(cloud.partners);
+  partners.forEach((value, i) => { if (Number.isNaN(value)) partners[i] = kFar; });
   geometry.setAttribute("partner", new BufferAttribute(partners, 3));
   return geometry;
 }

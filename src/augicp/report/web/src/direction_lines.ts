@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments
 import { type CloudData, floats, signedBytes, unsignedBytes } from "./data";
 import { cssColour } from "./dom";
 
-const kMaxLines = 4000; // of each structure
+const kMaxLines = 1500; // of each structure
 const kPlanar = 1;
 const kEdge = 2;
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where a camera was, and what it saw there.
-import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from "three";
+import { Color } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { makeCharts } from "./chart";
 import { CloudPoints } from "./cloud_points";
 import { type ChartData, type KeptFrame, type OdometryData, floats, isFinitePose } from "./data";
@@ -10,31 +13,29 @@ import { makeSteps } from "./steps";
 import { markStrip, markTopView } from "./svg_marks";
 import { Viewer } from "./viewer";
 
-function lineMaterial(colour: string): LineBasicMaterial {
-  const material = new LineBasicMaterial();
+// Two points a line; wide lines, for a trajectory must be seen before its surroundings.
+function lines(points: Float32Array, colour: string, width_px: number): LineSegments2 {
+  const material = new LineMaterial({ linewidth: width_px });
   const recolour = (): void => { material.color = new Color(cssColour(colour)); };
   recolour();
   onColourScheme(recolour);
-  return material;
-}
-
-function positions(values: Float32Array<ArrayBuffer>): BufferGeometry {
-  return new BufferGeometry().setAttribute("position", new BufferAttribute(values, 3));
+  const made = new LineSegments2(new LineSegmentsGeometry().setPositions(points), material);
+  made.frustumCulled = false;
+  return made;
 }
 
 // A camera's pyramid: its eye and the corners of what it sees, depth metres ahead.
-function pyramid(depth: number): LineSegments {
+function pyramid(depth: number): LineSegments2 {
   const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x = 0, y = 0]) => [0.55 * x * depth, 0.42 * y * depth, depth]);
-  const lines = corners.flatMap((corner, i) => [[0, 0, 0], corner, corner, corners[(i + 1) % 4] ?? corner]).flat();
-  const made = new LineSegments(positions(new Float32Array(lines)), lineMaterial("--marker"));
+  const edges = corners.flatMap((corner, i) => [[0, 0, 0], corner, corner, corners[(i + 1) % 4] ?? corner]).flat();
+  const made = lines(new Float32Array(edges), "--marker", 1.5);
   made.matrixAutoUpdate = false;
-  made.frustumCulled = false;
   return made;
 }
 
 class OdometryScene {
   readonly viewer: Viewer;
-  private readonly camera: LineSegments;
+  private readonly camera: LineSegments2;
   private model: CloudPoints | null = null;
   private isModelShown = true;
   private kept: KeptFrame | null = null;
@@ -42,9 +43,8 @@ class OdometryScene {
   constructor(private readonly odometry: OdometryData) {
     this.viewer = new Viewer("Trajectory in 3D; arrow keys turn, + and - zoom", odometry.extent, odometry.view);
     this.camera = pyramid(0.08 * odometry.extent);
-    const truth = new LineSegments(positions(floats(odometry.truth)), lineMaterial("--target"));
-    const estimate = new LineSegments(positions(floats(odometry.estimate)), lineMaterial("--source"));
-    for (const line of [truth, estimate]) line.frustumCulled = false;
+    const truth = lines(floats(odometry.truth), "--target", 2.5);
+    const estimate = lines(floats(odometry.estimate), "--source", 2.5);
     this.viewer.scene.add(truth, estimate, this.camera);
   }
 
@@ -80,7 +80,7 @@ class OdometryScene {
       this.model = null;
     }
     if (kept?.model === undefined || !isFinitePose(kept.model_pose)) return;
-    this.model = new CloudPoints({ points: kept.model }, "--none", 0.004 * this.odometry.extent, 1);
+    this.model = new CloudPoints({ points: kept.model }, "--none", 0.011 * this.odometry.extent, 1);
     this.model.pose = kept.model_pose;
     this.model.visible = this.isModelShown;
     this.viewer.scene.add(this.model);
@@ -89,7 +89,18 @@ class OdometryScene {
 
 // The last one kept up to a frame.
 function keptAt(odometry: OdometryData, frame: number): KeptFrame | null {
-  return odometry.kept.filter((kept) => kept.frame <= frame).at(-1) ?? null;
+  return odometry.kept.filter((kept) => kept.frame <= frame).at(-1) ?? odometry.kept[0] ?? null;
+}
+
+function legend(odometry: OdometryData): HTMLElement {
+  const row = element("div", "view-legend");
+  for (const [name, text] of [["target", "ground truth"], ["source", "estimate"], ["none", "local model"]] as const) {
+    if (name === "target" && odometry.truth === "") continue;
+    const item = element("span", "", text);
+    item.prepend(element("i", name));
+    row.append(item);
+  }
+  return row;
 }
 
 function frameAt(odometry: OdometryData, time: number): number {
@@ -104,7 +115,6 @@ export function showOdometry(odometry: OdometryData, charts: ChartData[], stage:
   try {
     scene = new OdometryScene(odometry);
     stage.prepend(scene.viewer.element);
-    stage.append(scene.controls());
     scene.viewer.element.append(depth.element);
   } catch {
     stage.prepend(element("p", "notice", "This browser has no WebGL: the trajectory cannot be drawn in 3D."), depth.element);
@@ -119,6 +129,7 @@ export function showOdometry(odometry: OdometryData, charts: ChartData[], stage:
     markTopView(odometry.frames[frame]?.top ?? null);
   });
   const strip = markStrip(odometry.frames.length, (frame) => { steps.show(frame); });
-  stage.append(steps.element);
+  stage.append(legend(odometry), steps.element);
+  if (scene) stage.append(scene.controls());
   steps.show(odometry.frames.length - 1);
 }

@@ -6,11 +6,12 @@ import type { ViewData } from "./data";
 import { cssColour, element, onColourScheme } from "./dom";
 
 const kTurn_rad = 0.06;
+const kView_deg = 50;
 
 export class Viewer {
   readonly scene = new Scene();
   readonly element = element("div", "view");
-  private readonly camera = new PerspectiveCamera(50, 1, 0.01, 1000);
+  private readonly camera = new PerspectiveCamera(kView_deg, 1, 0.01, 1000);
   private readonly renderer = new WebGLRenderer({ antialias: true });
   private controls: OrbitControls;
   private isWaiting = false;
@@ -71,6 +72,9 @@ export class Viewer {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
+    // The same breadth on a narrow screen as on a square one.
+    const half = Math.tan((kView_deg * Math.PI) / 360);
+    this.camera.fov = (360 / Math.PI) * Math.atan(half / Math.min(1, this.camera.aspect));
     this.camera.updateProjectionMatrix();
     this.invalidate();
   }

@@ -121,6 +121,11 @@ if (hasScript) {
     });
   });
 
+  test("odometry: one frame, or one that was lost, is no error", () => {
+    const file = report("one.html", ["odometry", desk, "--camera", "tum-fr1", "--last", "1", "--output", join(folder, "one")]);
+    return inPage(browser, file, {}, async (page) => { assert.match(await page.locator("output").innerText(), /Frame 0.*started/); });
+  });
+
   test("experiment: curves have values at the pointer, quantities can be chosen", () => {
     const file = report("synthetic.html", ["experiment", "synthetic", "--points", "2000", "--seeds", "2", "--iterations", "5",
       "--outliers-percent", "0,50", "--point-noise", "0.01", "--output", join(folder, "synthetic.csv")]);
