@@ -93,12 +93,13 @@ nlohmann::ordered_json align_json(const AlignPicture& picture) {
 }
 
 std::string matrix_html(const Rigid3& target_from_source) {
-  const Mat4d matrix = target_from_source.matrix();
+  // Without the sign of what is written as zero.
+  const Mat4d matrix = target_from_source.matrix().unaryExpr([](double x) { return std::abs(x) < 5e-10 ? 0.0 : x; });
   std::string text;
   for (int i = 0; i < 4; ++i)
     text +=
         fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
-  return "<p>Maps source coordinates into the target frame, metres.</p>\n<pre id=\"matrix\">" + text + "</pre>\n";
+  return "<p>From source to target coordinates, metres</p>\n<pre id=\"matrix\">" + text + "</pre>\n";
 }
 
 }  // namespace

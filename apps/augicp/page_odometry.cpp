@@ -77,8 +77,7 @@ nlohmann::ordered_json frames_json(const OdometryRun& run, const OdometryView& v
 
 std::vector<std::string> table_row(const std::string& name, const Statistics& statistics, double unit) {
   std::vector<std::string> row{name};
-  for (const double value :
-       {statistics.rmse, statistics.mean, statistics.median, statistics.std, statistics.min, statistics.max})
+  for (const double value : {statistics.rmse, statistics.mean, statistics.median, statistics.std, statistics.max})
     row.push_back(fmt::format("{:.{}f}", unit * value,
                               unit == 1.0 ? 4 : 3));  // a tenth of a millimetre, a thousandth of a degree
   return row;
@@ -95,10 +94,11 @@ std::string errors_html(const Evaluation& evaluation) {
   add("ATE not aligned", evaluation.absolute);
   return fmt::format("<p>{} of {} poses have a true one of the same moment.</p>\n", evaluation.num_matched,
                      evaluation.num_estimate) +
-         html_table({"", "rmse", "mean", "median", "std", "min", "max"}, rows);
+         html_table({"", "rmse", "mean", "median", "std", "max"}, rows);
 }
 
 std::string kept_text(const OdometryPicture& picture) {
+  if (picture.models.size() == picture.run.rows.size()) return {};
   return fmt::format(
       "<p>Depth image and local model are kept for {} of {} frames; the last one before the frame chosen is "
       "shown.</p>\n",

@@ -2,6 +2,7 @@
 // The verdict in words, with its numbers.
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -75,8 +76,10 @@ std::string badge_class(AlignStatus status) {
 }
 
 std::string verdict_html(const AlignResult& result) {
-  std::string html = fmt::format("<p><b class=\"{}\">{}</b>: {}.</p>\n", badge_class(result.status),
-                                 escaped_html(name_of(result.status)), escaped_html(advice_for(result.status)));
+  std::string advice = advice_for(result.status);
+  advice.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(advice.front())));
+  std::string html = fmt::format("<p><b class=\"{}\">{}</b>. {}.</p>\n", badge_class(result.status),
+                                 escaped_html(name_of(result.status)), escaped_html(advice));
   const std::vector<std::string> texts = sentences(result);
   if (!texts.empty()) html += "<ul>\n";
   for (const std::string& text : texts) html += "<li>" + escaped_html(text) + "</li>\n";

@@ -51,7 +51,7 @@ std::string axes_svg(const PlotArea& area, const std::string& x_label, const std
   }
   for (const double tick : axis_ticks(area.y, area.log_y, 5)) {
     const double y = area.at_y(tick);
-    content += grid_line(area.left, y, right, y) + text(area.left - 6.0, y + 4.0, "end", fmt::format("{:.4g}", tick));
+    content += grid_line(area.left, y, right, y) + text(area.left - 6.0, y + 4.0, "end", fmt::format("{:.6g}", tick));
   }
   content += text(0.5 * (area.left + right), area.height - 6.0, "middle", escaped_html(x_label));
   const double middle = 0.5 * (area.top + bottom);

@@ -13,7 +13,7 @@ struct PlotArea {
   bool log_y = false;
   bool whole_x = false;                  // x counts something
   double width = 480.0, height = 260.0;  // of the drawing, in its units
-  double left = 62.0, right = 12.0, top = 10.0, bottom = 40.0;
+  double left = 72.0, right = 12.0, top = 10.0, bottom = 40.0;
 
   double at_x(double value) const;
   double at_y(double value) const;

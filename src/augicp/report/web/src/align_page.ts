@@ -12,9 +12,6 @@ import { Viewer } from "./viewer";
 
 const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-// Points of a cloud that fills its extent lie about so far apart, as a part of it.
-const kSpacingPerExtent = 0.0028;
-
 class AlignScene {
   readonly viewer: Viewer;
   private readonly source: CloudPoints;
@@ -26,10 +23,9 @@ class AlignScene {
   private readonly colouring = { residual: false, structure: false };
 
   constructor(private readonly align: AlignData) {
-    const spacing = kSpacingPerExtent * align.extent;
     this.viewer = new Viewer("Both clouds in 3D; arrow keys turn, + and - zoom", align.extent, align.view);
-    this.source = new CloudPoints(align.source, "--source", spacing, align.residual_scale);
-    this.target = new CloudPoints(align.target, "--target", spacing, align.residual_scale);
+    this.source = new CloudPoints(align.source, "--source", align.extent, align.residual_scale);
+    this.target = new CloudPoints(align.target, "--target", align.extent, align.residual_scale);
     this.pairs = new PairLines(align.source);
     this.arrows = freeArrows(align.free_motions, 0.5 * align.extent);
     this.sourceDirections = directionLines(align.source, align.direction_length);

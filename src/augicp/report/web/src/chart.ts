@@ -112,7 +112,7 @@ function axes(chart: ChartData): uPlot.Axis[] {
     {
       ...common,
       label: chart.y_label,
-      size: 48,
+      size: 58,
       values: numbers,
       ...(chart.log_y ? { filter: (_: uPlot, splits: number[]) => splits, splits: (_: uPlot, __: number, low: number, high: number) => logSplits(low, high) } : {}),
     },

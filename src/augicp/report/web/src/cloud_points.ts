@@ -70,12 +70,13 @@ function geometryOf(cloud: CloudData): BufferGeometry {
 }
 
 export class CloudPoints extends Points<BufferGeometry, ShaderMaterial> {
-  // plainColour: a CSS variable; spacing: about how far apart the points are, metres.
-  constructor(cloud: CloudData, plainColour: string, spacing: number, residualScale: number) {
+  // plainColour: a CSS variable; extent: of what the points fill, metres.
+  constructor(cloud: CloudData, plainColour: string, extent: number, residualScale: number) {
+    const geometry = geometryOf(cloud);
     const uniforms: Record<string, { value: unknown }> = {
       colouring: { value: Colouring.Plain },
       residualScale: { value: residualScale },
-      pointSize: { value: spacing },
+      pointSize: { value: (0.9 * extent) / Math.sqrt(geometry.getAttribute("position").count + 1) }, // about their spacing
       pixels: { value: 700 * Math.min(window.devicePixelRatio, 2) },
     };
     const recolour = (): void => {
@@ -84,7 +85,7 @@ export class CloudPoints extends Points<BufferGeometry, ShaderMaterial> {
     };
     recolour();
     onColourScheme(recolour);
-    super(geometryOf(cloud), new ShaderMaterial({ uniforms, vertexShader: kVertexShader, fragmentShader: kFragmentShader }));
+    super(geometry, new ShaderMaterial({ uniforms, vertexShader: kVertexShader, fragmentShader: kFragmentShader }));
     this.matrixAutoUpdate = false;
     this.frustumCulled = false; // one object, and it is nearly always in view
   }
