@@ -92,8 +92,11 @@ function logSplits(low: number, high: number): number[] {
   const last = Math.floor(Math.log10(high) + 1e-9);
   const stride = Math.max(1, Math.ceil((last - first + 1) / 6));
   const powers = Array.from({ length: last - first + 3 }, (_, i) => first - 1 + i);
-  if (last - first >= 1) return powers.filter((power) => (power - first) % stride === 0).map((power) => 10 ** power);
-  return powers.flatMap((power) => [1, 2, 5].map((factor) => factor * 10 ** power));
+  const splits =
+    last - first >= 1
+      ? powers.filter((power) => (power - first) % stride === 0).map((power) => 10 ** power)
+      : powers.flatMap((power) => [1, 2, 5].map((factor) => factor * 10 ** power));
+  return splits.filter((value) => value >= low && value <= high);
 }
 
 function axes(chart: ChartData): uPlot.Axis[] {
