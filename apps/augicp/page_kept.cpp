@@ -9,6 +9,7 @@
 
 #include "apps/augicp/page_odometry.h"
 #include "apps/augicp/page_parts.h"
+#include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/error.h"
 #include "augicp/io/depth_png.h"
 #include "augicp/report/packing.h"
@@ -17,12 +18,12 @@
 namespace augicp::app {
 namespace {
 
-// An image of 160 x 120 and a model of 5000 points take 106 kB of a file, and so do 300 frames with their poses and
+// An image of 160 x 120 and a model of 4000 points take 111 kB of a file, and so do 300 frames with their poses and
 // curves: a page keeps fewer images of a long run, so that it stays below 15 MB for up to 40 000 frames.
 constexpr std::size_t kMaxKept = 100;
 constexpr std::size_t kFramesPerKept = 300;
-constexpr std::size_t kBudget = 135;  // kept frames' bytes in all
-constexpr std::size_t kMaxModelPoints = 5000;
+constexpr std::size_t kBudget = 128;  // kept frames' bytes in all
+constexpr std::size_t kMaxModelPoints = 4000;
 constexpr int kMaxColumns = 160;
 
 struct SmallImage {
@@ -77,6 +78,15 @@ nlohmann::ordered_json frame_json(const OdometryPicture& picture, std::size_t ro
   return json;
 }
 
+// A depth camera's cloud has no origin but zero.
+nlohmann::ordered_json model_json(const Cloud& cloud) {
+  std::vector<std::uint8_t> structures;
+  for (const Structure structure : cloud.structures) structures.push_back(static_cast<std::uint8_t>(structure));
+  return {{"points", packed_points(cloud.points)},
+          {"directions", packed_directions(cloud.directions)},
+          {"structures", packed_bytes(structures)}};
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> kept_rows(std::size_t num_rows) {
@@ -88,8 +98,7 @@ KeptModel kept_model(std::size_t row, const Odometry& odometry) {
   KeptModel kept{row, odometry.world_from_reference(), {}};
   if (!odometry.reference()) return kept;
   const Cloud& cloud = odometry.reference()->scan.cloud;
-  for (const std::uint32_t i : thinned_indices(cloud.size(), kMaxModelPoints))
-    kept.points.push_back((cloud.origin + cloud.points[i].cast<double>()).cast<float>());
+  kept.cloud = select(cloud, thinned_indices(cloud.size(), kMaxModelPoints));
   return kept;
 }
 
@@ -98,7 +107,8 @@ nlohmann::ordered_json kept_json(const OdometryPicture& picture, const OdometryV
   float far = 0.0f;  // of the first image with readings, so that a colour means the same in all
   for (const KeptModel& model : picture.models) {
     nlohmann::ordered_json frame = frame_json(picture, model.row, far);
-    frame["model"] = packed_points(model.points);
+    frame["model"] = model_json(model.cloud);
+    frame["model_extent"] = bounds(model.cloud).diagonal();
     frame["model_pose"] = pose_numbers(view.page_from(model.world_from_model));
     json.push_back(std::move(frame));
   }

@@ -14,7 +14,7 @@ namespace augicp::app {
 struct KeptModel {
   std::size_t row = 0;  // of OdometryRun::rows
   Rigid3 world_from_model;
-  std::vector<Vec3f> points;
+  Cloud cloud;
 };
 KeptModel kept_model(std::size_t row, const Odometry& odometry);
 

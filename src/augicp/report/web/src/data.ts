@@ -65,7 +65,8 @@ export interface KeptFrame {
   height: number;
   depth?: string; // uint8 a pixel; 0: no reading, 1: near, 255: far
   text: string;
-  model?: string; // float32, three a point
+  model?: CloudData;
+  model_extent?: number; // metres
   model_pose: Maybe[];
 }
 

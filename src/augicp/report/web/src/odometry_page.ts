@@ -80,7 +80,7 @@ class OdometryScene {
       this.model = null;
     }
     if (kept?.model === undefined || !isFinitePose(kept.model_pose)) return;
-    this.model = new CloudPoints({ points: kept.model }, "--none", this.odometry.extent, 1);
+    this.model = new CloudPoints(kept.model, "--none", 0.6 * (kept.model_extent ?? 1), 1);
     this.model.pose = kept.model_pose;
     this.model.visible = this.isModelShown;
     this.viewer.scene.add(this.model);
