@@ -18,10 +18,10 @@
 namespace augicp::app {
 namespace {
 
-// An image of 160 x 120 and a model of 4000 points take 111 kB of a file, and so do 300 frames with their poses and
-// curves: a page keeps fewer images of a long run, so that it stays below 15 MB for up to 40 000 frames.
+// An image of 160 x 120 and a model of 4000 points take 111 kB of a file, and so do 150 frames with their poses and
+// curves: a page keeps fewer images of a long run, so that it stays below 15 MB for up to 19 000 frames.
 constexpr std::size_t kMaxKept = 100;
-constexpr std::size_t kFramesPerKept = 300;
+constexpr std::size_t kFramesPerKept = 150;
 constexpr std::size_t kBudget = 128;  // kept frames' bytes in all
 constexpr std::size_t kMaxModelPoints = 4000;
 constexpr int kMaxColumns = 160;
