@@ -86,6 +86,36 @@ class CommandTest(unittest.TestCase):
                 outputs.add(json.dumps(result))
             self.assertEqual(len(outputs), 1)
 
+    def test_reports_have_the_same_bytes_for_any_number_of_threads(self):
+        desk = DESK.parent
+        (self.folder / "few.xyz").write_text("1 2 3\nnan 1 1\n4 5 6\n")
+        cases = (("align", *IMAGES, "--camera", "tum-fr1"), ("align", self.folder / "few.xyz", self.folder / "few.xyz"),
+                 ("odometry", desk, "--camera", "tum-fr1", "--last", 4, "--output", self.folder / "odometry"),
+                 ("experiment", "synthetic", "--points", 500, "--seeds", 1, "--iterations", 3, "--output", self.folder / "rows.csv"))
+        for words in cases:
+            pages = []
+            for threads in (1, 2, 5):
+                page = self.folder / "page.html"
+                finished = run(*words, "--threads", threads, "--report", page)
+                self.assertIn(finished.returncode, (0, 4, 5), finished.stderr)
+                pages.append(page.read_bytes())
+            self.assertEqual(len(set(pages)), 1, words)
+            self.assertLess(len(pages[0]), 15e6)
+            self.assertNotIn(b"http-equiv=\"refresh\"", pages[0])
+            self.assertIn(b"default-src 'none'", pages[0])
+
+    def test_reports_escape_names_and_fail_as_files_do(self):
+        folder = self.folder / "<"
+        folder.mkdir()
+        hostile = folder / "script><!--\u2028&.ply"
+        hostile.write_bytes((ROOM / "source.ply").read_bytes())
+        page = self.folder / "page.html"
+        self.assertEqual(run("align", hostile, ROOM / "target.ply", "--report", page).returncode, 0)
+        text = page.read_text()
+        self.assertIn("&lt;/script&gt;&lt;!--\u2028&amp;.ply", text)
+        self.assertNotIn("</script><!--", text)
+        self.assertEqual(run("align", ROOM / "source.ply", ROOM / "target.ply", "--report", "/dev/full").returncode, 3)
+
     def test_flag_wins_over_file_wins_over_default(self):
         config = self.folder / "augicp.toml"
         config.write_text("[align]\nmethod = \"gicp\"\nmax-iterations = 7\n")

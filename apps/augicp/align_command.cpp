@@ -9,6 +9,7 @@
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
+#include "apps/augicp/page_align.h"
 #include "apps/augicp/progress.h"
 #include "apps/augicp/report_result.h"
 #include "augicp/io/transform_file.h"
@@ -18,7 +19,7 @@ namespace augicp::app {
 namespace {
 
 struct AlignArguments {
-  std::string source, target, initial, transform, output, json;
+  std::string source, target, initial, transform, output, json, page;
   InputOptions input;
   RegistrationOptions registration;
   double max_angle_deg = RegistrationOptions{}.max_angle * 180.0 / std::numbers::pi;
@@ -31,26 +32,34 @@ Rigid3 initial_pose(const std::string& argument) {
   return std::filesystem::exists(argument, not_a_path) ? read_transform(argument) : parse_transform(argument);
 }
 
-AlignReport register_files(const AlignArguments& arguments, Scan& source_as_read) {
+// A registration, and what it was made of.
+struct AlignRun {
   AlignReport report;
+  Rigid3 initial;
+  Scan source_as_read, source, target;  // the last two prepared
+};
+
+AlignRun register_files(const AlignArguments& arguments) {
+  AlignRun run;
+  AlignReport& report = run.report;
   report.source = arguments.source;
   report.target = arguments.target;
-  report.options = arguments.registration;
+  run.initial = initial_pose(arguments.initial);
+  const RegistrationOptions& options = report.options = arguments.registration;
   report.with_history = arguments.trace;
-  const Rigid3 initial = initial_pose(arguments.initial);
   const Stopwatch reading;
-  source_as_read = read_input(arguments.source, arguments.input).scan;
+  run.source_as_read = read_input(arguments.source, arguments.input).scan;
   Scan target = read_input(arguments.target, arguments.input).scan;
   report.timing_ms.read = reading.elapsed_ms();
   const Stopwatch preparing;
-  report.lengths = lengths_for(source_as_read, target, arguments.registration);
-  const Scan source = prepare(source_as_read, report.lengths, arguments.registration);
-  target = prepare(std::move(target), report.lengths, arguments.registration);
+  report.lengths = lengths_for(run.source_as_read, target, options);
+  run.source = prepare(run.source_as_read, report.lengths, options);
+  run.target = prepare(std::move(target), report.lengths, options);
   report.timing_ms.surface = preparing.elapsed_ms();
   const Stopwatch aligning;
-  report.result = register_prepared(source, target, initial, report.lengths, arguments.registration);
+  report.result = register_prepared(run.source, run.target, run.initial, report.lengths, options);
   report.timing_ms.align = aligning.elapsed_ms();
-  return report;
+  return run;
 }
 
 ExitCode exit_code_for(AlignStatus status) {
@@ -70,13 +79,14 @@ int run_align(AlignArguments arguments) {
   arguments.registration.max_angle = arguments.max_angle_deg * std::numbers::pi / 180.0;
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd"});
-  Scan source;
-  const AlignReport report = register_files(arguments, source);
+  const AlignRun run = register_files(arguments);
+  const AlignReport& report = run.report;
   const Rigid3& pose = report.result.target_from_source;
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
   if (!arguments.transform.empty()) write_transform(arguments.transform, pose);
-  if (!arguments.output.empty()) write_cloud(arguments.output, transform(source.cloud, pose));
+  if (!arguments.output.empty()) write_cloud(arguments.output, transform(run.source_as_read.cloud, pose));
+  if (!arguments.page.empty()) write_align_page(arguments.page, {report, run.initial, run.source, run.target});
   return exit_code_for(report.result.status);
 }
 
@@ -108,6 +118,8 @@ void add_output_options(CLI::App& command, AlignArguments& arguments) {
   command.add_option("--transform", arguments.transform, "Write T_target_source as 4x4 text")->group(group);
   command.add_option("--output", arguments.output, "Write the source moved into the target frame (.ply or .pcd)")->group(group);
   command.add_option("--json", arguments.json, "Write all results as JSON to a file, or to stdout with -")->group(group);
+  command.add_option("--report", arguments.page, "Write a page to look at: one HTML file, both clouds in 3D, needs no network")
+      ->group(group);
   command.add_flag("--trace", arguments.trace, "Include every iteration in the JSON")->group(group);
   command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
 }
@@ -128,6 +140,7 @@ void add_align_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  augicp align scan_b.ply scan_a.ply --transform T.txt --output b_in_a.ply\n"
       "  augicp align 000002.png 000001.png --camera tum-fr1 --json -\n"
+      "  augicp align scan_b.ply scan_a.ply --report alignment.html\n"
       "  augicp align b.pcd a.pcd --initial \"0.1 0 0 0 0 0 1\" --max-distance 0.5 --method gicp");
   command->callback([arguments, &exit_code] { exit_code = run_align(*arguments); });
 }

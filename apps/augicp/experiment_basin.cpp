@@ -10,6 +10,7 @@
 #include "apps/augicp/experiment_commands.h"
 #include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
+#include "apps/augicp/page_experiment.h"
 #include "apps/augicp/report_experiment.h"
 #include "augicp/core/error.h"
 #include "augicp/io/transform_file.h"
@@ -53,6 +54,8 @@ int run(BasinArguments arguments) {
   const auto cells = run_basin(source, target, truth, options, [&] { bar.advance(); });
   write_csv(arguments.output.csv, basin_csv(cells));
   fmt::print(stderr, "{}", basin_text(cells, options));
+  write_experiment_page(arguments.output.page, {"From how far away the registration finds the truth", "Source: " + arguments.source,
+                                                "Target: " + arguments.target, basin_text(cells, options)}, basin_quantities(cells));
   return kSuccess;
 }
 
@@ -98,7 +101,7 @@ void add_basin_experiment(CLI::App& experiment, int& exit_code) {
       "over the surface, straight between the cells, is printed to stderr.\n"
       "Examples:\n"
       "  augicp experiment basin scan_b.ply scan_a.ply --truth T.txt --output basin.csv\n"
-      "  augicp experiment basin 000002.png 000001.png --camera tum-fr1 --distances 0,0.1,0.2 --method gicp\n"
+      "  augicp experiment basin 000002.png 000001.png --camera tum-fr1 --distances 0,0.1,0.2 --report basin.html\n"
       "  augicp experiment basin b.ply a.ply --angles-deg 10,20 --starts 50 --seed 7");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -12,6 +12,7 @@ void add_experiment_output(CLI::App& command, ExperimentOutput& output) {
   const std::string group = "Output";
   command.add_option("--output", output.csv, "Write the CSV to a file, or to stdout with -")->capture_default_str()
       ->group(group);
+  command.add_option("--report", output.page, "Write a page to look at: one HTML file with the curves, needs no network")->group(group);
   command.add_option("--progress", output.progress, "A bar on the terminal: auto or none (default auto)")
       ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))->group(group);
 }
@@ -35,7 +36,7 @@ void add_experiment_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  augicp experiment synthetic --points 20000 --seeds 3 --output table4.csv\n"
       "  augicp experiment sequence rgbd_dataset_freiburg1_room --camera tum-fr1 --pairs 100 --output table3.csv\n"
-      "  augicp experiment basin scan_b.ply scan_a.ply --truth T.txt --distances 0,0.1,0.2");
+      "  augicp experiment basin scan_b.ply scan_a.ply --truth T.txt --distances 0,0.1,0.2 --report basin.html");
 }
 
 }  // namespace augicp::app

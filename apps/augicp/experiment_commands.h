@@ -11,6 +11,7 @@ namespace augicp::app {
 
 struct ExperimentOutput {
   std::string csv = "-";
+  std::string page;  // HTML; empty: none
   Progress progress = Progress::Auto;
 };
 void add_experiment_output(CLI::App& command, ExperimentOutput& output);

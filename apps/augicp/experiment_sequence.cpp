@@ -11,6 +11,7 @@
 #include "apps/augicp/experiment_commands.h"
 #include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
+#include "apps/augicp/page_experiment.h"
 #include "apps/augicp/report_experiment.h"
 #include "augicp/core/error.h"
 #include "augicp/io/parse_number.h"
@@ -64,6 +65,8 @@ int run(const SequenceArguments& arguments) {
   ProgressBar bar(chosen_targets(sequence.frames.size(), options).size(), "targets", arguments.output.progress);
   const auto curves = run_sequence(sequence, camera, options, [&] { bar.advance(); });
   write_csv(arguments.output.csv, sequence_csv(curves, *sequence.truth, offsets));
+  write_experiment_page(arguments.output.page, {"Pairs of a sequence, by iteration", "Sequence: " + arguments.folder},
+                        sequence_quantities(curves, *sequence.truth, offsets));
   if (!arguments.curves.empty()) write_csv(arguments.curves, curves_csv(curves, *sequence.truth, offsets));
   return kSuccess;
 }
@@ -134,7 +137,7 @@ void add_sequence_experiment(CLI::App& experiment, int& exit_code) {
   command->footer(
       "Guess: identity. Success is within 5 cm and 2 degrees, narrow success within 2 cm and 1 degree.\n"
       "Examples:\n"
-      "  augicp experiment sequence rgbd_dataset_freiburg1_desk --camera tum-fr1 --output table3.csv\n"
+      "  augicp experiment sequence rgbd_dataset_freiburg1_desk --camera tum-fr1 --output table3.csv --report table3.html\n"
       "  augicp experiment sequence rgbd_dataset_freiburg1_360 --camera tum-fr1 --pairs 30 --time-offset 0,auto\n"
       "  augicp experiment sequence chess/seq-01 --gaps 10 --presets paper --lever 0.2 --curves curves.csv");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

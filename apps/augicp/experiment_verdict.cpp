@@ -8,6 +8,7 @@
 #include "apps/augicp/commands.h"
 #include "apps/augicp/experiment_commands.h"
 #include "apps/augicp/inputs.h"
+#include "apps/augicp/page_experiment.h"
 #include "apps/augicp/report_experiment.h"
 
 namespace augicp::app {
@@ -40,6 +41,8 @@ int run(const VerdictArguments& arguments) {
   const std::vector<VerdictPair> pairs = run_verdict(sequences, arguments.options, [&] { bar.advance(); });
   if (!arguments.output.csv.empty()) write_csv(arguments.output.csv, verdict_csv(pairs));
   write_csv(arguments.table.empty() ? "-" : arguments.table, confusion_text(confusion(pairs)));
+  write_experiment_page(arguments.output.page, {"How often converged is right"}, verdict_quantities(pairs),
+                        confusion_html(confusion(pairs)));
   if (!arguments.roc.empty()) write_csv(arguments.roc, roc_csv(roc(pairs)));
   return kSuccess;
 }
@@ -70,7 +73,7 @@ void add_verdict_experiment(CLI::App& experiment, int& exit_code) {
       "Examples:\n"
       "  augicp experiment verdict rgbd_dataset_freiburg1_desk --camera tum-fr1 --time-offset -0.022 --roc roc.csv\n"
       "  augicp experiment verdict fr1_xyz chess --camera \"tum-fr1;own\" --across 1000 --output pairs.csv\n"
-      "  augicp experiment verdict room_1 room_2 --gaps 1,7 --across 500 --pixel-step 1");
+      "  augicp experiment verdict room_1 room_2 --gaps 1,7 --across 500 --report verdict.html");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

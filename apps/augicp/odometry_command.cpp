@@ -11,6 +11,7 @@
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
 #include "apps/augicp/names.h"
+#include "apps/augicp/page_odometry.h"
 #include "apps/augicp/progress.h"
 #include "apps/augicp/report_odometry.h"
 #include "apps/augicp/report_result.h"
@@ -23,7 +24,7 @@ namespace augicp::app {
 namespace {
 
 struct OdometryArguments {
-  std::string sequence, output, camera, json;
+  std::string sequence, output, camera, json, page;
   std::optional<double> depth_scale, readout_s;
   double frames_per_s = 30.0, time_offset_s = 0.0;
   std::size_t first = 0, last = std::size_t{1} << 40, every = 1;
@@ -76,15 +77,19 @@ void compare_with_truth(const Trajectory& truth, const OdometryArguments& argume
   }
 }
 
-OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& camera, const OdometryArguments& arguments) {
+// models: filled for the frames that the page keeps, where one is asked for.
+OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& camera, const OdometryArguments& arguments,
+                           std::vector<KeptModel>& models) {
   OdometryRun run{arguments.sequence, sequence.layout, chosen_frames(sequence, arguments), 0.0, {}, sequence.truth_problem};
   std::vector<DepthFrameFile> files;
   for (const FrameRow& row : run.rows) files.push_back(sequence.frames[row.frame]);
   DepthSequenceReader reader(std::move(files), arguments.depth_scale.value_or(sequence.depth_scale));
   ProgressBar bar(run.rows.size(), "frames", arguments.quiet ? Progress::None : arguments.progress);
+  const std::vector<std::uint32_t> kept = kept_rows(arguments.page.empty() ? 0 : run.rows.size());
   const Stopwatch all;
   std::size_t num_done = 0;
-  track(reader, camera, arguments.odometry, [&](const FrameReport& report) {
+  track(reader, camera, arguments.odometry, [&](const FrameReport& report, const Odometry& odometry) {
+    if (std::binary_search(kept.begin(), kept.end(), num_done)) models.push_back(kept_model(num_done, odometry));
     FrameRow& row = run.rows[num_done++];
     row.report = report;
     row.time_ms = all.elapsed_ms() - run.total_ms;
@@ -147,11 +152,14 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   // The options come first, so that a folder that cannot be written to costs no run; what another run left goes.
   for (const char* name : {"trajectory.txt", "frames.csv", "metrics.json"}) fs::remove(folder / name, error);
 
-  const OdometryRun run = track_sequence(sequence, camera, arguments);
+  std::vector<KeptModel> models;
+  const OdometryRun run = track_sequence(sequence, camera, arguments, models);
   require_readable_frames(run);
   write_tum_trajectory(folder / "trajectory.txt", trajectory_of(run));
   write_file(folder / "frames.csv", frames_csv(run));
   write_json((folder / "metrics.json").string(), metrics_json(run));
+  const double depth_scale = arguments.depth_scale.value_or(sequence.depth_scale);
+  if (!arguments.page.empty()) write_odometry_page(arguments.page, {run, sequence, depth_scale, models});
   if (arguments.json == "-") write_json("-", metrics_json(run));
   if (!arguments.quiet && arguments.json != "-")
     fmt::print("{}output     {}: trajectory.txt metrics.json frames.csv config.toml\n", summary_text(run), folder.string());
@@ -196,6 +204,7 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
       ->group(group);
   command.add_option("--time-offset", arguments.time_offset_s, "Truth is read at stamp + offset, seconds")
       ->capture_default_str()->group(group);
+  command.add_option("--report", arguments.page, "Write a page to look at: one HTML file, needs no network")->group(group);
   command.add_option("--json", arguments.json, "With -: print metrics.json to stdout")
       ->check(CLI::IsMember({"-"}))->group(group);
   command.add_option("--progress", arguments.progress, "A bar with the frame rate on stderr, if that is a terminal")
@@ -216,7 +225,7 @@ void add_odometry_command(CLI::App& app, int& exit_code) {
   command->footer(
       "trajectory.txt has T_world_camera in TUM format; the world is the first camera.\n"
       "Examples:\n"
-      "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk\n"
+      "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk --report desk.html\n"
       "  augicp odometry chess/seq-01 --last 500\n"
       "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
   command->callback([arguments, command, &exit_code] {

@@ -41,26 +41,6 @@ nlohmann::ordered_json history_json(const AlignResult& result) {
   return history;
 }
 
-std::string advice_for(AlignStatus status) {
-  switch (status) {
-    case AlignStatus::Converged:
-      return "the clouds agree on this pose, in both directions";
-    case AlignStatus::IterationLimit:
-      return "doubtful: still moving; allow more with --max-iterations, or give a better --initial";
-    case AlignStatus::Degenerate:
-      return "doubtful: the data leave at least one direction of motion open";
-    case AlignStatus::TooFewPairs:
-      return "failed: too few points, or points without extent";
-    case AlignStatus::NoOverlap:
-      return "failed: hardly any source point meets the target; give a better --initial or a larger --max-distance";
-    case AlignStatus::Diverged:
-      return "failed: the numbers stopped being finite";
-    case AlignStatus::Doubtful:
-      return "a pose was found, but the clouds contradict it; give a better --initial, or they have no common surface";
-  }
-  return {};
-}
-
 nlohmann::ordered_json free_motions_json(const AlignResult& result) {
   nlohmann::ordered_json motions = nlohmann::ordered_json::array();
   for (const FreeMotion& motion : result.free_motions)
@@ -118,6 +98,26 @@ std::string testimony_text(const char* name, const Testimony& testimony) {
 }
 
 }  // namespace
+
+std::string advice_for(AlignStatus status) {
+  switch (status) {
+    case AlignStatus::Converged:
+      return "the clouds agree on this pose, in both directions";
+    case AlignStatus::IterationLimit:
+      return "doubtful: still moving; allow more with --max-iterations, or give a better --initial";
+    case AlignStatus::Degenerate:
+      return "doubtful: the data leave at least one direction of motion open";
+    case AlignStatus::TooFewPairs:
+      return "failed: too few points, or points without extent";
+    case AlignStatus::NoOverlap:
+      return "failed: hardly any source point meets the target; give a better --initial or a larger --max-distance";
+    case AlignStatus::Diverged:
+      return "failed: the numbers stopped being finite";
+    case AlignStatus::Doubtful:
+      return "a pose was found, but the clouds contradict it; give a better --initial, or they have no common surface";
+  }
+  return {};
+}
 
 nlohmann::ordered_json matrix_json(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();

@@ -99,6 +99,11 @@ class Odometry {
   // through the options; everything then is as before the call, and the same frame may be added again.
   FrameReport add(double stamp_s, const Scan& frame, const std::stop_token& stop = {});
 
+  // What the next frame will be registered to, and where that lies; nothing before the first frame with readings. Valid
+  // until the next add().
+  const LocalModel* reference() const { return reference_ ? &*reference_ : nullptr; }
+  const Rigid3& world_from_reference() const { return world_from_reference_; }
+
  private:
   FrameReport placed(double stamp_s, const Scan& frame, const std::stop_token& stop);
   Rigid3 predicted(double stamp_s) const;

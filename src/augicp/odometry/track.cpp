@@ -47,6 +47,11 @@ FrameReport report_on(const PreparedFrame& frame, Odometry& odometry, int segmen
 
 void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
            const std::function<void(const FrameReport&)>& on_frame) {
+  track(source, camera, options, [&](const FrameReport& report, const Odometry&) { on_frame(report); });
+}
+
+void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
+           const std::function<void(const FrameReport&, const Odometry&)>& on_frame) {
   camera.check();
   const int wanted = options.registration.num_threads;
   const int num_threads = wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -65,7 +70,7 @@ void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions
     std::future<std::optional<PreparedFrame>> following = std::async(policy, prepare_next);
     const FrameReport report = report_on(*frame, odometry, segment);
     segment = report.segment;
-    on_frame(report);
+    on_frame(report, odometry);
     frame = following.get();
   }
 }

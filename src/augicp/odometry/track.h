@@ -15,4 +15,8 @@ namespace augicp {
 void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
            const std::function<void(const FrameReport&)>& on_frame);
 
+// The same for those who want to see what the tracker knows after the frame too.
+void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
+           const std::function<void(const FrameReport&, const Odometry&)>& on_frame);
+
 }  // namespace augicp

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Arrays as the page reads them: base64 of little-endian numbers.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "augicp/core/types.h"
+
+namespace augicp {
+
+// Three float32 a point.
+std::string packed_points(std::span<const Vec3f> points);
+
+// Three int8 a direction, 127 for 1: within half a degree, which no eye sees.
+std::string packed_directions(std::span<const Vec3f> directions);
+
+std::string packed_bytes(std::span<const std::uint8_t> bytes);
+
+}  // namespace augicp

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace augicp {
+
+// At most max_count of the indices 0 .. count - 1, ascending: one from each of equally long stretches, at a place
+// within it that looks random but is always the same. Every n-th pixel of an image would draw stripes.
+std::vector<std::uint32_t> thinned_indices(std::size_t count, std::size_t max_count);
+
+}  // namespace augicp
