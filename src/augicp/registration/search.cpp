@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/registration/search.h"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -21,6 +22,7 @@ constexpr double kCoarseVoxels = 8.0, kMiddleVoxels = 4.0;
 // all around are found from 40 degrees.
 const std::vector<double> kTurnsOfImages{17.0 * kDegree, 34.0 * kDegree, 51.0 * kDegree};
 const std::vector<double> kTurnsOfClouds{40.0 * kDegree, 80.0 * kDegree};
+const std::vector<double> kTurnsOfPulled{40.0 * kDegree};
 
 // Above, the guess is taken to have led to the right pose and nothing else is tried; see plausibility().
 constexpr double kConvincing = 0.5;
@@ -35,10 +37,14 @@ constexpr int kImageIterations = 10, kCloudIterations = 20, kMiddleIterations = 
 constexpr double kWideGate = 4.0;
 constexpr double kWideEpsilon = 0.3;
 
-AlignOptions coarse_options(const Level& level, const RegistrationOptions& options) {
+AlignOptions image_options(const Level& level) {
   AlignOptions coarse = level.usual_options();
   coarse.max_iterations = kImageIterations;
-  if (is_projective(level.target(), options.association)) return coarse;
+  return coarse;
+}
+
+AlignOptions cloud_options(const Level& level, const RegistrationOptions& options) {
+  AlignOptions coarse = level.usual_options();
   coarse.max_iterations = kCloudIterations;
   coarse.information = information_for(options, kWideEpsilon);
   coarse.gates.max_distance *= kWideGate;
@@ -71,16 +77,44 @@ std::vector<Hypothesis> led_on(const Level& level, const std::vector<Rigid3>& st
   return found;
 }
 
+// Where lines of sight lead nowhere, nearest points may: they pull two images together from half a metre, though not always to
+// where they belong. So they only propose starts.
+std::vector<Rigid3> pulled_together(const Level& coarse, const std::vector<Rigid3>& starts, const Lengths& lengths,
+                                    RegistrationOptions options) {
+  options.association = Association::Nearest;
+  const Level nearest(scan_of(coarse.source().cloud), scan_of(coarse.target().cloud), lengths, options);
+  const AlignOptions by = cloud_options(nearest, options);
+  std::vector<Rigid3> pulled;
+  for (const Rigid3& start : starts) pulled.push_back(nearest.align(start, by).target_from_source);
+  return pulled;
+}
+
+bool is_convincing(const std::vector<Hypothesis>& hypotheses) {
+  return std::any_of(hypotheses.begin(), hypotheses.end(),
+                     [](const Hypothesis& hypothesis) { return hypothesis.plausibility > kConvincing; });
+}
+
+std::vector<Hypothesis> coarse_hypotheses(const Level& coarse, const Rigid3& guess, const Lengths& lengths,
+                                          const RegistrationOptions& options) {
+  const bool has_images = coarse.source().view && coarse.target().view;
+  const bool projective = is_projective(coarse.target(), options.association);
+  const Vec3d pivot = guess * pivot_of(coarse.source());
+  const AlignOptions by = projective ? image_options(coarse) : cloud_options(coarse, options);
+  std::vector<Hypothesis> found = led_on(coarse, turned(guess, pivot, has_images ? kTurnsOfImages : kTurnsOfClouds), by);
+  if (!projective || is_convincing(found)) return found;
+  const auto pulled = pulled_together(coarse, turned(guess, pivot, kTurnsOfPulled), lengths, options);
+  for (const Hypothesis& hypothesis : led_on(coarse, pulled, by)) found.push_back(hypothesis);
+  return found;
+}
+
 }  // namespace
 
 Rigid3 search_start(const Scan& source, const Scan& target, const Rigid3& guess_target_from_source,
                     const Lengths& lengths, const RegistrationOptions& options) {
   const Level coarse(coarser(source, kCoarseColumns, kCoarseVoxels, lengths),
                      coarser(target, kCoarseColumns, kCoarseVoxels, lengths), lengths, options);
-  const std::vector<Rigid3> starts = turned(guess_target_from_source, guess_target_from_source * pivot_of(source),
-                                            source.view && target.view ? kTurnsOfImages : kTurnsOfClouds);
-  const std::vector<Hypothesis> candidates =
-      best_of(led_on(coarse, starts, coarse_options(coarse, options)), kMaxCandidates, lengths.radius, kSameAngle);
+  const std::vector<Hypothesis> candidates = best_of(coarse_hypotheses(coarse, guess_target_from_source, lengths, options),
+                                                     kMaxCandidates, lengths.radius, kSameAngle);
   if (candidates.empty()) return guess_target_from_source;
   const Level middle(coarser(source, kMiddleColumns, kMiddleVoxels, lengths),
                      coarser(target, kMiddleColumns, kMiddleVoxels, lengths), lengths, options);
