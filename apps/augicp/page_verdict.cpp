@@ -19,8 +19,8 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
   const Testimony &one = evidence.source_in_target, &other = evidence.target_in_source;
   switch (doubt) {
     case Doubt::LittleSeen:
-      return fmt::format("Little is seen of the other cloud: {:.1f} % and {:.1f} %; {:.0f} % are asked for.",
-                         100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_seen);
+      return fmt::format("Little is seen of the other cloud: {:.1f} % and {:.1f} %; {:.0f} % are asked for, more where less agrees.",
+                         100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_margin);
     case Doubt::Disagreement:
       return fmt::format("Of what is seen, only {:.1f} % and {:.1f} % lie on the other's surface.",
                          100.0 * one.agreeing(), 100.0 * other.agreeing());

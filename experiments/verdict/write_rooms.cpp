@@ -25,9 +25,14 @@ constexpr int kWidth = 160;
 constexpr int kFramesPerPlace = 10;
 constexpr double kDepthScale = 5000.0;
 
-Rigid3 drawn_place(std::mt19937& generator) {
-  const Vec3d eye(testing::uniform(generator, -2.2, 2.2), testing::uniform(generator, -1.7, 1.7),
-                  testing::uniform(generator, 0.7, 2.2));
+// Walls of their own: rooms of one size would have their corners in common.
+Vec3d drawn_size(std::mt19937& generator) {
+  return {testing::uniform(generator, 4.4, 7.0), testing::uniform(generator, 3.0, 5.5), testing::uniform(generator, 2.4, 3.2)};
+}
+
+Rigid3 drawn_place(const Vec3d& room_size, std::mt19937& generator) {
+  const double x = 0.5 * room_size.x() - 0.3, y = 0.5 * room_size.y() - 0.3;
+  const Vec3d eye(testing::uniform(generator, -x, x), testing::uniform(generator, -y, y), testing::uniform(generator, 0.7, 2.2));
   const double yaw = testing::uniform(generator, 0.0, 2.0 * std::numbers::pi);
   const double pitch = testing::uniform(generator, -0.6, 0.2);
   return testing::look_at(eye, eye + Vec3d(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)));
@@ -50,15 +55,16 @@ void write_room(const std::filesystem::path& folder, unsigned seed, int num_fram
   const Pinhole camera = testing::kinect_like_camera(kWidth);
   camera_file.precision(12);
   camera_file << camera.fx << " " << camera.fy << " " << camera.cx << " " << camera.cy << "\n";
-  const testing::Scene scene = testing::room(seed);
   std::mt19937 generator(seed);
+  const Vec3d size = drawn_size(generator);
+  const testing::Scene scene = testing::room(seed, size);
   Rigid3 place;
   for (int frame = 0; frame < num_frames; ++frame) {
     DepthImage image;
     for (int attempt = 0; attempt == 0 || !sees_well(image); ++attempt) {
       const bool leaps = frame % kFramesPerPlace == 0 || attempt > 20;
       const double angle = testing::uniform(generator, 0.0, 0.14), distance = testing::uniform(generator, 0.0, 0.12);
-      const Rigid3 next = leaps ? drawn_place(generator) : place * testing::random_motion(generator, angle, distance);
+      const Rigid3 next = leaps ? drawn_place(size, generator) : place * testing::random_motion(generator, angle, distance);
       image = testing::render(scene, camera, camera.width, camera.height, next).depth;
       if (sees_well(image)) place = next;
     }

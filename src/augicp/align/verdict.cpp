@@ -24,7 +24,7 @@ void require_share(const char* name, double value) {
 std::array<double, 3> strains(const Testimony& testimony, const VerdictLimits& limits) {
   const double min_agreeing =
       testimony.knows_free_space ? limits.min_agreeing : limits.min_agreeing_without_camera;
-  return {(1.0 - testimony.seen()) / (1.0 - limits.min_seen), (1.0 - testimony.agreeing()) / (1.0 - min_agreeing),
+  return {(1.0 - testimony.margin()) / (1.0 - limits.min_margin), (1.0 - testimony.agreeing()) / (1.0 - min_agreeing),
           testimony.conflicting() / limits.max_conflicting};
 }
 
@@ -38,10 +38,11 @@ std::array<double, 3> strains(const Evidence& evidence, const VerdictLimits& lim
 
 double Testimony::seen() const { return share(visible(count), count.total()); }
 double Testimony::agreeing() const { return share(count.agree, visible(count)); }
+double Testimony::margin() const { return seen() - (1.0 - agreeing()); }
 double Testimony::conflicting() const { return share(count.conflict, visible(count)); }
 
 void VerdictLimits::check() const {
-  require_share("min_seen", min_seen);
+  require_share("min_margin", min_margin);
   require_share("min_agreeing", min_agreeing);
   require_share("min_agreeing_without_camera", min_agreeing_without_camera);
   require_positive("max_conflicting", max_conflicting);

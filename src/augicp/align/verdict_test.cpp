@@ -26,7 +26,7 @@ TEST(Verdict, AgreementBothWaysConverges) {
 
 TEST(Verdict, EachSideAloneCanRaiseEachDoubt) {
   const Agreement little{.agree = 100, .unseen = 900};
-  const Agreement beside{.agree = 300, .differ = 150, .hidden = 150, .unseen = 300};
+  const Agreement beside{.agree = 560, .differ = 240, .unseen = 200};
   const Agreement seen_through{.agree = 550, .conflict = 50, .unseen = 400};
   const std::pair<Agreement, Doubt> cases[] = {
       {little, Doubt::LittleSeen}, {beside, Doubt::Disagreement}, {seen_through, Doubt::FreeSpace}};
@@ -39,6 +39,17 @@ TEST(Verdict, EachSideAloneCanRaiseEachDoubt) {
       EXPECT_EQ(verdict.doubts, std::vector<Doubt>{doubt}) << name_of(doubt);
       EXPECT_GT(strain(evidence), 1.0) << name_of(doubt);
     }
+}
+
+// Three tenths in common are enough where all of it agrees, and too little where a seventh does not.
+TEST(Verdict, TheLessIsSeenTheBetterItMustAgree) {
+  Evidence evidence = good_evidence();
+  evidence.source_in_target.count = {.agree = 300, .unseen = 700};
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  evidence.source_in_target.count = {.agree = 258, .differ = 42, .unseen = 700};
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::LittleSeen});
+  evidence.source_in_target.count = {.agree = 516, .differ = 84, .unseen = 400};
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
 TEST(Verdict, WithoutACameraMoreMustAgree) {

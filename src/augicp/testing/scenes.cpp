@@ -11,12 +11,10 @@
 namespace augicp::testing {
 namespace {
 
-const Vec3d kRoomSize(5.0, 4.0, 2.6);
-
 // The room's floor is cut into 4 x 3 cells, so that what stands in one touches nothing else. The camera stands in cell
 // (3, 0), the table in (1, 1), which leaves (2, 0) and (2, 1) free for the view.
-Vec3d cell_center(int column, int row) {
-  return {kRoomSize.x() * ((column + 0.5) / 4 - 0.5), kRoomSize.y() * ((row + 0.5) / 3 - 0.5), 0.0};
+Vec3d cell_center(const Vec3d& room_size, int column, int row) {
+  return {room_size.x() * ((column + 0.5) / 4 - 0.5), room_size.y() * ((row + 0.5) / 3 - 0.5), 0.0};
 }
 
 // At most 0.8 x 0.7 m: however turned, it stays inside its cell.
@@ -65,23 +63,23 @@ Scene room_corner() {
   return scene;
 }
 
-Scene room(unsigned seed) {
+Scene room(unsigned seed, const Vec3d& size) {
   std::mt19937 generator(seed);
   Scene scene;
-  const Vec3d center(0.0, 0.0, 0.5 * kRoomSize.z());
-  const BoxFaces walls = add_box(scene, {Eigen::Quaterniond::Identity(), center}, kRoomSize);
+  const Vec3d center(0.0, 0.0, 0.5 * size.z());
+  const BoxFaces walls = add_box(scene, {Eigen::Quaterniond::Identity(), center}, size);
   for (const auto& [column, row] : {std::pair{0, 0}, {1, 0}, {0, 1}, {0, 2}, {2, 2}, {3, 1}})
-    add_furniture(scene, cell_center(column, row), walls.bottom, generator);
-  add_table(scene, cell_center(1, 1), walls.bottom, generator);
+    add_furniture(scene, cell_center(size, column, row), walls.bottom, generator);
+  add_table(scene, cell_center(size, 1, 1), walls.bottom, generator);
   for (const auto& [column, row] : {std::pair{1, 2}, {3, 2}}) {
-    const Vec3d base = cell_center(column, row) + 0.2 * uniform(generator, -1.0, 1.0) * Vec3d::UnitX();
-    const Cylinder shape{base, base + Vec3d(0.0, 0.0, kRoomSize.z()), uniform(generator, 0.1, 0.25)};
+    const Vec3d base = cell_center(size, column, row) + 0.2 * uniform(generator, -1.0, 1.0) * Vec3d::UnitX();
+    const Cylinder shape{base, base + Vec3d(0.0, 0.0, size.z()), uniform(generator, 0.1, 0.25)};
     add_column(scene, shape, walls.bottom, walls.top);
   }
   // Above everything that stands in the left cells.
-  const Vec3d pipe_begin(-2.2, -0.5 * kRoomSize.y(), 2.3), pipe_end(-2.2, 0.5 * kRoomSize.y(), 2.3);
+  const Vec3d pipe_begin(0.3 - 0.5 * size.x(), -0.5 * size.y(), size.z() - 0.3), pipe_end(pipe_begin.x(), -pipe_begin.y(), pipe_begin.z());
   add_column(scene, {pipe_begin, pipe_end, 0.06}, walls.front, walls.back);
-  scene.world_from_camera = look_at(cell_center(3, 0) + Vec3d(0.2, -0.2, 1.5), Vec3d(-0.9, 0.3, 0.8));
+  scene.world_from_camera = look_at(cell_center(size, 3, 0) + Vec3d(0.2, -0.2, 1.5), Vec3d(-0.9, 0.3, 0.8));
   return scene;
 }
 
