@@ -98,7 +98,8 @@ void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose
   const PairChi2 chi2 = chi2_of_pairs(source, target, pass.typical, pose, options.information, options.num_threads);
   pass.weighing = weigh_pairs(chi2, options);
   pass.objective = {with_lever(options.information, pass.weighing.lever), pass.weighing.kernel_chi2,
-                    pass.weighing.kernel_direction_chi2};
+                    pass.weighing.kernel_direction_chi2,
+                    weigh_intensities(source, target, pass.typical, pose, chi2, options)};
   pass.equations = linearize(source, target, pass.pairs, pose, pass.objective, options.num_threads);
 }
 
@@ -164,8 +165,10 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
     gates.max_distance = closed_gate(gates.max_distance, source, target, pass.typical, pose, options);
     ++result.iterations;
     result.information = pass.equations.H;
+    result.num_intensity_pairs = pass.equations.num_intensity_pairs;
     result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,
-                              pass.weighing.kernel_chi2, pass.weighing.lever});
+                              pass.weighing.kernel_chi2, pass.weighing.lever,
+                              pass.objective.intensity.information});
     if (is_small(step, options) || has_returned(pose, visited, options)) result.status = AlignStatus::Converged;
     visited.push_back(pose);
   }

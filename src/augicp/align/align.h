@@ -41,6 +41,14 @@ struct AlignOptions {
   // they show no rotation, and would only hold the first steps back. Infinity: off, as in the paper.
   double kernel_direction_per_median = 1.0;
 
+  // How much a typical error of the intensity counts beside a typical one of the position, where the clouds have intensities,
+  // see weigh_intensities(). 0: off.
+  double intensity_weight = 0.0;
+
+  // The kernel of the intensity's part, as many times its own median: what shines, or is seen by one of the sensors only, lies
+  // far above.
+  double kernel_intensity_per_median = 4.0;
+
   // lambda of Eq. (10), as a part of the mean diagonal of H's translation and rotation block each.
   double damping = 1e-6;
 
@@ -69,6 +77,7 @@ struct AlignIteration {
   double cost = 0.0;         // before the step
   double kernel_chi2 = 0.0;  // K used
   double lever = 0.0;        // used, metres; 0 where no direction was compared
+  double intensity_information = 0.0;  // used; 0 where no intensity was compared
 };
 
 // Poses are between the clouds' frames, origins included. On failure the last pose reached is kept: it is never replaced
@@ -78,6 +87,7 @@ struct AlignResult {
   AlignStatus status = AlignStatus::TooFewPairs;
   int iterations = 0;
   std::int64_t num_pairs = 0;  // at the last iteration
+  std::int64_t num_intensity_pairs = 0;  // of these, those whose intensities counted; 0: the clouds have none, or it is off
   double overlap = 0.0;        // share of source points with a partner, in [0, 1]
   double rmse = 0.0;           // of the distances within the pairs of the final pose, metres
   Mat6d information = Mat6d::Zero();  // H of the last iteration; order tx ty tz rx ry rz, target points' frame, left

@@ -56,7 +56,8 @@ Observability observability(const Cloud& source, const Cloud& target, std::span<
   if (pairs.empty()) return {};
   const Spread spread = spread_of(target, pairs);
   if (!(spread.gyration > 0.0)) return {};
-  const Objective hard{without_softening(objective.information), objective.kernel_chi2};
+  Objective hard{without_softening(objective.information), objective.kernel_chi2};
+  hard.intensity = objective.intensity;
   const NormalEquations equations = linearize(source, target, pairs, target_from_source, hard, num_threads);
   const Mat6d change = increment_from_scaled(spread);
   const Eigen::SelfAdjointEigenSolver<Mat6d> solver(change.transpose() * equations.H * change);
