@@ -7,6 +7,7 @@
 #include "augicp/registration/coarse_to_fine.h"
 #include "augicp/registration/level.h"
 #include "augicp/surface/ball_neighbourhood.h"
+#include "augicp/surface/intensity_gradient.h"
 #include "augicp/surface/window_surface.h"
 
 namespace augicp {
@@ -43,6 +44,7 @@ void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOpti
 }  // namespace
 
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
+  if (!options.intensity) scan.cloud.intensities.clear(), scan.cloud.intensity_gradients.clear();
   // Without extent there are no lengths and no surface: empty, or all points in one place.
   if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
   if (!scan.view) {
@@ -50,8 +52,9 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
-  if (scan.cloud.has_directions()) return scan;
-  estimate_surface(scan, lengths, options);
+  if (!scan.cloud.has_directions()) estimate_surface(scan, lengths, options);
+  if (scan.cloud.has_intensities() && !scan.cloud.has_intensity_gradients())
+    estimate_intensity_gradients(scan.cloud, lengths.radius, options.num_threads);
   return scan;
 }
 
