@@ -41,6 +41,13 @@ void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOpti
                    options.num_threads);
 }
 
+void estimate_intensity_gradients(Scan& scan, const Lengths& lengths, int num_threads) {
+  if (scan.view)
+    estimate_intensity_gradients(scan.cloud, scan.view->index, lengths.radius, num_threads);
+  else
+    estimate_intensity_gradients(scan.cloud, lengths.radius, num_threads);
+}
+
 }  // namespace
 
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
@@ -54,7 +61,7 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
   if (!scan.cloud.has_directions()) estimate_surface(scan, lengths, options);
   if (scan.cloud.has_intensities() && !scan.cloud.has_intensity_gradients())
-    estimate_intensity_gradients(scan.cloud, lengths.radius, options.num_threads);
+    estimate_intensity_gradients(scan, lengths, options.num_threads);
   return scan;
 }
 

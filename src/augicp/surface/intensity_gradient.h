@@ -2,6 +2,7 @@
 #pragma once
 
 #include "augicp/cloud/cloud.h"
+#include "augicp/cloud/index_image.h"
 
 namespace augicp {
 
@@ -10,5 +11,8 @@ namespace augicp {
 // a line, and where the slope does not stand out of what it leaves unexplained: noise would otherwise look like texture, and
 // hold poses that nothing holds. The cloud needs intensities and directions; gradients that it had are replaced.
 void estimate_intensity_gradients(Cloud& cloud, double radius, int num_threads);
+
+// The same for what an image shows, over the points of the pixels around each: a tenth of the time.
+void estimate_intensity_gradients(Cloud& cloud, const IndexImage& seen, double radius, int num_threads);
 
 }  // namespace augicp

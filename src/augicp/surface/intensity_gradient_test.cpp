@@ -105,6 +105,32 @@ TEST(IntensityGradient, OrderOfThePointsAndNumberOfThreadsDoNotMatter) {
     EXPECT_LE((shuffled.intensity_gradients[i] - cloud.intensity_gradients[order[i]]).norm(), 1e-4f);
 }
 
+// A grid of 40 x 30 points 5 mm apart, seen one a pixel, with holes.
+TEST(IntensityGradient, OnAnImageItIsExactTooAndTheSameOnAnyNumberOfThreads) {
+  Cloud cloud;
+  IndexImage seen(40, 30);
+  for (int v = 0; v < seen.height; ++v)
+    for (int u = 0; u < seen.width; ++u) {
+      if ((u * 7 + v * 3) % 11 == 0) continue;
+      seen.index[static_cast<std::size_t>(v) * seen.width + u] = static_cast<std::int32_t>(cloud.size());
+      cloud.points.push_back(Vec3f(0.005f * static_cast<float>(u), 0.005f * static_cast<float>(v), 0.0f));
+      cloud.directions.push_back(Vec3f::UnitZ());
+      cloud.structures.push_back(Structure::Planar);
+      cloud.intensities.push_back(static_cast<float>(ramp(0.005 * u, 0.005 * v)));
+    }
+  cloud.structures[5] = Structure::Edge;
+  estimate_intensity_gradients(cloud, seen, kRadius, 1);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Vec3d expected = i == 5 ? Vec3d::Zero() : Vec3d(2.0, -3.0, 0.0);
+    EXPECT_THAT(cloud.intensity_gradients[i].cast<double>(), testing::NearVector(expected, 2e-3));
+  }
+  Cloud again = cloud;
+  estimate_intensity_gradients(again, seen, kRadius, 3);
+  EXPECT_EQ(again.intensity_gradients, cloud.intensity_gradients);
+  again.directions.clear();
+  EXPECT_THROW(estimate_intensity_gradients(again, seen, kRadius, 1), std::invalid_argument);
+}
+
 TEST(IntensityGradient, BadInputIsRefused) {
   Cloud cloud = plane(Rigid3{}, ramp, 20);
   EXPECT_THROW(estimate_intensity_gradients(cloud, 0.0, 1), std::invalid_argument);
