@@ -56,11 +56,12 @@ Observability observability(const Cloud& source, const Cloud& target, std::span<
   if (pairs.empty()) return {};
   const Spread spread = spread_of(target, pairs);
   if (!(spread.gyration > 0.0)) return {};
-  Objective hard{without_softening(objective.information), objective.kernel_chi2};
-  hard.intensity = objective.intensity;
-  const NormalEquations equations = linearize(source, target, pairs, target_from_source, hard, num_threads);
+  const Objective hard{without_softening(objective.information), objective.kernel_chi2};
+  Mat6d H = linearize(source, target, pairs, target_from_source, hard, num_threads).H;
+  if (objective.intensity.information > 0.0)
+    H += shared_intensity_information(source, target, pairs, target_from_source, objective.intensity, num_threads);
   const Mat6d change = increment_from_scaled(spread);
-  const Eigen::SelfAdjointEigenSolver<Mat6d> solver(change.transpose() * equations.H * change);
+  const Eigen::SelfAdjointEigenSolver<Mat6d> solver(change.transpose() * H * change);
   const double best = solver.eigenvalues()[5];
   if (!(best > 0.0)) return {};
   return {solver.eigenvalues().cwiseMax(0.0) / best, change * solver.eigenvectors(), spread.centroid,

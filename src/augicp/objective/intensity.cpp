@@ -36,6 +36,32 @@ class PairIntensity {
   Vec3d translation_;
 };
 
+Vec6d jacobian_of(const Vec3d& gradient, const Vec3d& place) {
+  Vec6d jacobian;
+  jacobian << gradient, place.cross(gradient);
+  return jacobian;
+}
+
+// Eq. (13), times the information.
+double weight_of(double r, const IntensityModel& model) {
+  const double chi2 = model.information * r * r;
+  return model.information * (chi2 <= model.kernel_chi2 ? 1.0 : model.kernel_chi2 / chi2);
+}
+
+struct SharedSums {
+  Mat6d products = Mat6d::Zero();
+  Vec6d of_source = Vec6d::Zero(), of_target = Vec6d::Zero();
+  double weight = 0.0;
+
+  SharedSums& operator+=(const SharedSums& other) {
+    products += other.products;
+    of_source += other.of_source;
+    of_target += other.of_target;
+    weight += other.weight;
+    return *this;
+  }
+};
+
 struct Sums {
   NormalEquations equations;
   Vec6d weighted_jacobian = Vec6d::Zero();
@@ -43,11 +69,10 @@ struct Sums {
 
   void add(const Vec6d& jacobian, double r, const IntensityModel& model) {
     const double chi2 = model.information * r * r, kernel = model.kernel_chi2;
-    const bool within = chi2 <= kernel;
-    const double w = model.information * (within ? 1.0 : kernel / chi2);
+    const double w = weight_of(r, model);
     equations.H += w * jacobian * jacobian.transpose();
     equations.b += w * r * jacobian;
-    equations.cost += 0.5 * (within ? chi2 : kernel * (1.0 + std::log(chi2 / kernel)));
+    equations.cost += 0.5 * (chi2 <= kernel ? chi2 : kernel * (1.0 + std::log(chi2 / kernel)));
     ++equations.num_intensity_pairs;
     weighted_jacobian += w * jacobian;
     weight += w;
@@ -97,9 +122,7 @@ NormalEquations linearize_intensity(const Cloud& source, const Cloud& target, st
       const Vec3d q = of.moved(pair), g = of.gradient(pair);
       const double r = of.residual(pair, q, g) - model.offset;
       if (std::isnan(r)) continue;
-      Vec6d jacobian;
-      jacobian << g, q.cross(g);
-      sums.add(jacobian, r, model);
+      sums.add(jacobian_of(g, q), r, model);
     }
     return sums;
   };
@@ -107,6 +130,34 @@ NormalEquations linearize_intensity(const Cloud& source, const Cloud& target, st
   const Vec6d& j = sums.weighted_jacobian;
   if (sums.weight > 0.0) sums.equations.H -= j * j.transpose() / sums.weight;
   return sums.equations;
+}
+
+Mat6d shared_intensity_information(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                                   const Rigid3& target_from_source, const IntensityModel& model, int num_threads) {
+  model.check();
+  if (!compares_intensities(source, target) || !source.has_intensity_gradients()) return Mat6d::Zero();
+  const PairIntensity of(source, target, target_from_source);
+  const Mat3d rotation = target_from_source.rotation.toRotationMatrix();
+  const auto sums_of = [&](std::size_t begin, std::size_t end) {
+    SharedSums sums;
+    for (const Correspondence& pair : pairs.subspan(begin, end - begin)) {
+      const Vec3d q = of.moved(pair), g = of.gradient(pair);
+      const double r = of.residual(pair, q, g) - model.offset;
+      if (std::isnan(r)) continue;
+      const double w = weight_of(r, model);
+      const Vec6d seen = jacobian_of(rotation * source.intensity_gradients[pair.source].cast<double>(), q);
+      const Vec6d expected = jacobian_of(g, q);
+      sums.products += w * seen * expected.transpose();
+      sums.of_source += w * seen;
+      sums.of_target += w * expected;
+      sums.weight += w;
+    }
+    return sums;
+  };
+  const SharedSums sums = blocked_sum<SharedSums>(pairs.size(), num_threads, sums_of, kLightBlockSize);
+  if (!(sums.weight > 0.0)) return Mat6d::Zero();
+  const Mat6d shared = sums.products - sums.of_source * sums.of_target.transpose() / sums.weight;
+  return 0.5 * (shared + shared.transpose());
 }
 
 }  // namespace augicp

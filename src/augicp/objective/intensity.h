@@ -40,4 +40,10 @@ std::vector<float> intensity_residuals(const Cloud& source, const Cloud& target,
 NormalEquations linearize_intensity(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                                     const Rigid3& target_from_source, const IntensityModel& model, int num_threads);
 
+// The information that both points of each pair hold: as H, but with one J of the target's gradient and one of the source's. What
+// the noise of one seems to hold, that of the other denies, so that a bare wall is held by neither. To judge a pose by, not to step
+// by: it may have eigenvalues a little below zero. Zero where the source has no gradients.
+Mat6d shared_intensity_information(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                                   const Rigid3& target_from_source, const IntensityModel& model, int num_threads);
+
 }  // namespace augicp

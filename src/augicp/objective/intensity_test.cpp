@@ -142,6 +142,29 @@ TEST(Intensity, ARampHoldsNothing) {
   EXPECT_GT(H(4, 4), 1.0);  // a turn about y moves points along the ramp by their own amounts
 }
 
+// The same gradients on both sides are known to both; unlike ones, as noise makes them, to neither.
+TEST(Intensity, WhatBothKnowIsTheMatrixWhereTheyAgreeAndLittleWhereTheyDoNot) {
+  const IntensityModel model{200.0, 30.0, 0.1};
+  for (const Rigid3& pose : some_poses()) {
+    TwoClouds unlike = random_pairs(5000, 12), alike = unlike;
+    alike.source.points.clear(), alike.source.intensity_gradients.clear();
+    for (std::size_t i = 0; i < alike.target.size(); ++i) {
+      alike.source.points.push_back((inverse(pose) * alike.target.points[i].cast<double>()).cast<float>());
+      alike.source.intensity_gradients.push_back(
+          (inverse(pose).rotation * alike.target.intensity_gradients[i].cast<double>()).cast<float>());
+    }
+    for (Correspondence& pair : alike.pairs) pair.source = pair.target;
+    const auto shared = [&](const TwoClouds& two, int num_threads) {
+      return shared_intensity_information(two.source, two.target, two.pairs, pose, model, num_threads);
+    };
+    EXPECT_LE(relative_difference(shared(alike, 1), linearize(alike, pose, model).H), 1e-5);
+    EXPECT_LE(shared(unlike, 1).trace(), 0.1 * linearize(unlike, pose, model).H.trace());
+    EXPECT_EQ(shared(unlike, 3), shared(unlike, 1));
+    unlike.source.intensity_gradients.clear();
+    EXPECT_TRUE(shared(unlike, 1).isZero(0.0));
+  }
+}
+
 TEST(Intensity, CostStaysWhenTheWholeSceneMoves) {
   const TwoClouds two = random_pairs(200, 6);
   std::mt19937 generator(6);
