@@ -42,7 +42,7 @@ struct AlignOptions {
   double kernel_direction_per_median = 1.0;
 
   // How much a typical error of the intensity counts beside a typical one of the position, where the clouds have intensities,
-  // see weigh_intensities(). 0: off.
+  // see weigh_intensities(). 0: off. The loop then runs twice: without intensities, and from there with them.
   double intensity_weight = 0.0;
 
   // The kernel of the intensity's part, as many times its own median: what shines, or is seen by one of the sensors only, lies
