@@ -21,8 +21,8 @@ constexpr int kHalfWindow = 2;              // of images: 25 pixels, as many poi
 constexpr std::size_t kPointsPerBlock = 256, kRowsPerBlock = 8;
 
 // A slope counts where each of its two numbers explains so many times the variance of what is left. Even noise passes in about
-// one case in a thousand (the F distribution's percentile for 2 and 17 degrees of freedom); with one in a hundred, whose slopes are
-// by their choice the steepest, the noise of a bare wall would hold it.
+// one case in a thousand (the F distribution's percentile for 2 and 17 degrees of freedom); those that pass are the
+// steepest, so that few must.
 constexpr double kMinSignificance = 10.7;
 
 // Points whose spread across is less than this part of that along lie on a line.
