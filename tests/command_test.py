@@ -7,10 +7,13 @@
 import csv
 import json
 import math
+import random
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 from pathlib import Path
 
 AUGICP, PROJECT = Path(sys.argv[1]), Path(sys.argv[2])
@@ -21,6 +24,25 @@ IMAGES = (DESK / "1305031455.374120.png", DESK / "1305031455.210307.png")
 
 def run(*words, timeout=120):
     return subprocess.run([str(AUGICP), *map(str, words)], capture_output=True, text=True, timeout=timeout, check=False)
+
+
+def write_grey_png(path, width, height, brightness):
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    rows = b"".join(b"\0" + bytes(brightness(u, v) for u in range(width)) for v in range(height))
+    header = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b""))
+
+
+def write_wall(path, shift):
+    """A flat wall of 2 x 2 m with blots, seen by a sensor that stands `shift` metres further to the right and up."""
+    draw = random.Random(path.name)
+    lines = ["x,y,z,intensity"]
+    for _ in range(20000):
+        x, y = draw.uniform(-1, 1), draw.uniform(-1, 1)
+        bright = 100 + 50 * math.sin(9 * x + 2 * y) + 50 * math.cos(11 * y - 4 * x) + draw.gauss(0, 2)
+        lines.append(f"{x - shift:.5f},{y - shift:.5f},{2 + draw.gauss(0, 0.002):.5f},{bright:.2f}")
+    path.write_text("\n".join(lines) + "\n")
 
 
 def matrix(path):
@@ -73,6 +95,38 @@ class CommandTest(unittest.TestCase):
         self.assertEqual((finished.returncode, result["status"]), (0, "converged"))
         self.assertEqual(len(result["history"]), result["iterations"])
         self.assertEqual(result["history"][-1]["T_target_source"], result["T_target_source"])
+
+    def test_brightness_holds_a_flat_wall(self):
+        source, target = self.folder / "source.csv", self.folder / "target.csv"
+        write_wall(source, 0.03)
+        write_wall(target, 0.0)
+        finished = run("align", source, target, "--json", "-")
+        result = json.loads(finished.stdout)
+        self.assertEqual((finished.returncode, result["status"]), (5, "degenerate"))
+        self.assertNotIn("intensity", result)
+        finished = run("align", source, target, "--intensity", "--json", "-")
+        result = json.loads(finished.stdout)
+        self.assertEqual((finished.returncode, result["status"]), (0, "converged"))
+        self.assertTrue(result["intensity"]["used"])
+        self.assertGreater(result["intensity"]["num_pairs"], result["num_pairs"] / 10)
+        self.assertLess(math.dist([row[3] for row in result["T_target_source"][:3]], (0.03, 0.03, 0.0)), 0.005)
+
+    def test_images_beside_depth_images(self):
+        colour, small = self.folder / "colour.png", self.folder / "small.png"
+        write_grey_png(colour, 640, 480, lambda u, v: (u // 40 + v // 40) % 2 * 200 + u % 7)
+        write_grey_png(small, 320, 240, lambda u, v: 0)
+        words = ("align", IMAGES[0], IMAGES[0], "--camera", "tum-fr1", "--no-search", "--intensity")
+        both = ("--source-image", colour, "--target-image", colour)
+        result = json.loads(run(*words, *both, "--json", "-").stdout)
+        self.assertEqual((result["status"], result["intensity"]["used"]), ("converged", True))
+        result = json.loads(run(*words, "--source-image", colour, "--json", "-").stdout)
+        self.assertEqual((result["status"], result["intensity"]["used"]), ("converged", False))
+        for code, part, arguments in ((3, "expected 640 x 480 pixels", (*words, "--source-image", small)),
+                                      (3, "8-bit grey", (*words, "--target-image", IMAGES[0])),
+                                      (2, "not with a cloud", ("align", ROOM / "source.ply", IMAGES[0], "--source-image", colour))):
+            finished = run(*arguments)
+            self.assertEqual(finished.returncode, code, finished.stderr)
+            self.assertIn(part, finished.stderr)
 
     def test_same_bits_for_any_number_of_threads(self):
         for words in ((ROOM / "source.ply", ROOM / "target.ply"), (*IMAGES, "--camera", "tum-fr1")):

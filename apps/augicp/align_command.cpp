@@ -19,7 +19,7 @@ namespace augicp::app {
 namespace {
 
 struct AlignArguments {
-  std::string source, target, initial, transform, output, json, page;
+  std::string source, target, source_image, target_image, initial, transform, output, json, page;
   InputOptions input;
   RegistrationOptions registration;
   double max_angle_deg = RegistrationOptions{}.max_angle * 180.0 / std::numbers::pi;
@@ -48,8 +48,8 @@ AlignRun register_files(const AlignArguments& arguments) {
   const RegistrationOptions& options = report.options = arguments.registration;
   report.with_history = arguments.trace;
   const Stopwatch reading;
-  run.source_as_read = read_input(arguments.source, arguments.input).scan;
-  Scan target = read_input(arguments.target, arguments.input).scan;
+  run.source_as_read = read_input(arguments.source, arguments.input, arguments.source_image).scan;
+  Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
   report.timing_ms.read = reading.elapsed_ms();
   const Stopwatch preparing;
   report.lengths = lengths_for(run.source_as_read, target, options);
@@ -132,8 +132,12 @@ void add_align_command(CLI::App& app, int& exit_code) {
   command->add_option("source,--source", arguments->source, "The moving cloud: .ply .pcd .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")->required();
   command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
   add_input_options(*command, arguments->input);
+  command->add_option("--source-image", arguments->source_image,
+                      "Colour or grey .png registered to the source's depth image, for --intensity")->group("Input");
+  command->add_option("--target-image", arguments->target_image, "The same for the target")->group("Input");
   add_method_options(*command, *arguments);
   add_beyond_paper(*command, arguments->registration);
+  add_intensity(*command, arguments->registration);
   add_output_options(*command, *arguments);
   command->footer(
       "The result T_target_source maps source coordinates into the target frame.\n"
@@ -141,6 +145,7 @@ void add_align_command(CLI::App& app, int& exit_code) {
       "  augicp align scan_b.ply scan_a.ply --transform T.txt --output b_in_a.ply\n"
       "  augicp align 000002.png 000001.png --camera tum-fr1 --json -\n"
       "  augicp align scan_b.ply scan_a.ply --report alignment.html\n"
+      "  augicp align 2.png 1.png --camera tum-fr1 --intensity --source-image rgb/2.png --target-image rgb/1.png\n"
       "  augicp align b.pcd a.pcd --initial \"0.1 0 0 0 0 0 1\" --max-distance 0.5 --method gicp");
   command->callback([arguments, &exit_code] { exit_code = run_align(*arguments); });
 }

@@ -95,6 +95,7 @@ void add_basin_experiment(CLI::App& experiment, int& exit_code) {
   add_input_options(*command, arguments->input);
   add_options(*command, *arguments);
   add_beyond_paper(*command, arguments->options.registration);
+  add_intensity(*command, arguments->options.registration);
   add_experiment_output(*command, arguments->output);
   command->footer(
       "CSV: share of starts that end at the truth, and mean iterations, for each angle and distance. The mean of the share\n"

@@ -26,6 +26,7 @@ nlohmann::ordered_json info_json(const std::string& file, const Input& input) {
           {"num_declared", input.report.num_declared},
           {"num_invalid", input.report.num_not_finite},
           {"has_normals", cloud.has_directions()},
+          {"has_intensities", cloud.has_intensities()},
           {"min", {min.x(), min.y(), min.z()}},
           {"max", {max.x(), max.y(), max.z()}},
           {"origin", {cloud.origin.x(), cloud.origin.y(), cloud.origin.z()}},

@@ -7,20 +7,32 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "augicp/core/error.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_png.h"
+#include "augicp/io/grey_png.h"
 #include "augicp/io/read_cloud.h"
 
 namespace augicp::app {
 namespace {
 
-Input read_depth_input(const std::filesystem::path& path, const InputOptions& options) {
+GreyImage read_grey_input(const std::filesystem::path& path, const DepthImage& depth) {
+  GreyImage grey = read_grey_png(path);
+  if (grey.width != depth.width || grey.height != depth.height)
+    throw IoError(fmt::format("{}: expected {} x {} pixels as in the depth image, found {} x {}", path.string(), depth.width,
+                              depth.height, grey.width, grey.height));
+  return grey;
+}
+
+Input read_depth_input(const std::filesystem::path& path, const InputOptions& options,
+                       const std::filesystem::path& grey_path) {
   if (options.camera.empty())
     throw std::invalid_argument(fmt::format("{}: a depth image needs --camera: a file, numbers \"fx fy cx cy\" or one of {}",
                                             path.string(), fmt::join(camera_names(), " ")));
   const DepthImage image = read_depth_png(path, options.depth_scale);
   check_depth_scale(image, path, options.depth_scale);
-  Input input{scan_of(image, read_camera(options.camera)), {}};
+  const DepthCamera camera = read_camera(options.camera);
+  Input input{grey_path.empty() ? scan_of(image, camera) : scan_of(image, read_grey_input(grey_path, image), camera), {}};
   input.report.format = fmt::format("png depth {} x {}", image.width, image.height);
   input.report.num_declared = image.depth.size();
   input.report.num_not_finite = image.depth.size() - input.scan.cloud.size();
@@ -42,8 +54,10 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       ->check(CLI::PositiveNumber)->capture_default_str()->group(group);
 }
 
-Input read_input(const std::filesystem::path& path, const InputOptions& options) {
-  if (lower_case_extension(path) == ".png") return read_depth_input(path, options);
+Input read_input(const std::filesystem::path& path, const InputOptions& options, const std::filesystem::path& grey_path) {
+  if (lower_case_extension(path) == ".png") return read_depth_input(path, options, grey_path);
+  if (!grey_path.empty())
+    throw std::invalid_argument(fmt::format("{}: an image goes with a depth image, not with a cloud", grey_path.string()));
   CloudFile file = read_cloud(path, options.read);
   for (const std::string& warning : file.report.warnings)
     fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);

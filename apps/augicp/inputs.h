@@ -26,8 +26,9 @@ struct Input {
   ReadReport report;
 };
 
-// A depth image (.png) or a cloud. Throws IoError, or std::invalid_argument for a depth image without a camera.
-Input read_input(const std::filesystem::path& path, const InputOptions& options);
+// A depth image (.png) or a cloud. grey_path: of an image registered to the depth image, or empty. Throws IoError, also where
+// the two images differ in size, and std::invalid_argument for a depth image without a camera or a cloud with an image.
+Input read_input(const std::filesystem::path& path, const InputOptions& options, const std::filesystem::path& grey_path = {});
 
 // The camera asked for, see read_camera, or where none is the sequence's own. Throws std::invalid_argument where that has
 // none; folder is for the message.

@@ -25,6 +25,7 @@ nlohmann::ordered_json options_json(const AlignReport& report) {
           {"search", options.search},
           {"coarse_to_fine", options.coarse_to_fine},
           {"rolling_shutter", options.rolling_shutter},
+          {"intensity", options.intensity},
           {"max_iterations", options.max_iterations},
           {"min_step", options.min_step},
           {"threads", options.num_threads}};
@@ -37,7 +38,8 @@ nlohmann::ordered_json history_json(const AlignResult& result) {
                        {"num_pairs", iteration.num_pairs},
                        {"cost", iteration.cost},
                        {"kernel_chi2", iteration.kernel_chi2},
-                       {"lever", iteration.lever}});
+                       {"lever", iteration.lever},
+                       {"intensity_information", iteration.intensity_information}});
   return history;
 }
 
@@ -146,6 +148,8 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
       {"observability", std::vector<double>(result.observability.information.begin(), result.observability.information.end())},
       {"timing_ms",
        {{"read", report.timing_ms.read}, {"surface", report.timing_ms.surface}, {"align", report.timing_ms.align}}}};
+  if (report.options.intensity)
+    json["intensity"] = {{"used", result.num_intensity_pairs > 0}, {"num_pairs", result.num_intensity_pairs}};
   json["free_motions"] = free_motions_json(result);
   if (result.evidence) json["evidence"] = evidence_json(result);
   if (report.with_history) json["history"] = history_json(result);
@@ -159,6 +163,10 @@ std::string to_text(const AlignReport& report) {
   std::string text = fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iterations: {}\n", report.source,
                                  report.target, name_of(result.status), result.iterations, advice_for(result.status));
   text += fmt::format("pairs    {}, overlap {:.1f} %, rmse {:.4g} m\n", result.num_pairs, 100.0 * result.overlap, result.rmse);
+  if (report.options.intensity)
+    text += result.num_intensity_pairs > 0
+                ? fmt::format("         of these, {} by their brightness too\n", result.num_intensity_pairs)
+                : std::string("         brightness was not used: it, or its changes, are not known on both sides\n");
   text += free_motions_text(result);
   if (result.evidence) {
     text += fmt::format("evidence {}\n", testimony_text("target", result.evidence->source_in_target));

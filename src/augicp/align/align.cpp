@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "augicp/align/covariance.h"
 #include "augicp/align/damped_step.h"
@@ -99,7 +100,8 @@ void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose
   const PairChi2 chi2 = chi2_of_pairs(source, target, pass.typical, pose, options.information, options.num_threads);
   pass.weighing = weigh_pairs(chi2, options);
   pass.objective = {with_lever(options.information, pass.weighing.lever), pass.weighing.kernel_chi2,
-                    pass.weighing.kernel_direction_chi2};
+                    pass.weighing.kernel_direction_chi2,
+                    weigh_intensities(source, target, pass.typical, pose, chi2, options)};
   pass.equations = linearize(source, target, pass.pairs, pose, pass.objective, options.num_threads);
 }
 
@@ -124,11 +126,9 @@ Vec6d step_of(const Cloud& source, const Cloud& target, const Rigid3& pose, cons
 AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                 const AlignOptions& options, int num_free);
 
-}  // namespace
-
-AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
-                  const AlignOptions& options) {
-  options.check();
+// The loop, and once more without what the data leave open.
+AlignResult run_held(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
+                     const AlignOptions& options) {
   AlignResult result = run(source, matcher, initial_target_from_source, options, 0);
   if (result.status != AlignStatus::Degenerate) return result;
   // What is free has wandered by then, and may have led the rest astray: once more, without it.
@@ -138,6 +138,25 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   held.status = AlignStatus::Degenerate;
   held.free_motions = free_motions(held.observability, num_free, matcher.target().origin);
   return held;
+}
+
+}  // namespace
+
+AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
+                  const AlignOptions& options) {
+  options.check();
+  if (!(options.intensity_weight > 0.0) || !compares_intensities(source, matcher.target()))
+    return run_held(source, matcher, initial_target_from_source, options);
+  // A gradient holds for as far as the points it came from, and from farther away brightness leads anywhere: shape comes first.
+  AlignOptions by_shape = options;
+  by_shape.intensity_weight = by_shape.correlation_length = 0.0;
+  AlignResult shape = run_held(source, matcher, initial_target_from_source, by_shape);
+  if (!has_pose(shape.status)) return shape;
+  AlignResult result = run_held(source, matcher, shape.target_from_source, options);
+  result.iterations += shape.iterations;
+  shape.history.insert(shape.history.end(), result.history.begin(), result.history.end());
+  result.history = std::move(shape.history);
+  return result;
 }
 
 namespace {
@@ -166,8 +185,10 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
     gates.max_distance = closed_gate(gates.max_distance, source, target, pass.typical, pose, options);
     ++result.iterations;
     result.information = pass.equations.H;
+    result.num_intensity_pairs = pass.equations.num_intensity_pairs;
     result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,
-                              pass.weighing.kernel_chi2, pass.weighing.lever});
+                              pass.weighing.kernel_chi2, pass.weighing.lever,
+                              pass.objective.intensity.information});
     if (is_small(step, options) || has_returned(pose, visited, options)) result.status = AlignStatus::Converged;
     visited.push_back(pose);
   }

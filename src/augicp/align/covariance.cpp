@@ -44,6 +44,19 @@ Buckets in_buckets(const Cloud& target, std::span<const Correspondence> pairs, d
 // So many pairs tell which part of them lies beyond the kernel.
 constexpr std::size_t kNumAsked = 16384;
 
+// Those whose part of the intensity lies beyond its kernel.
+std::vector<Correspondence> beyond_intensity_kernel(const Cloud& source, const Cloud& target,
+                                                    const std::vector<Correspondence>& asked,
+                                                    const Rigid3& target_from_source, const IntensityModel& model) {
+  const std::vector<float> residuals = intensity_residuals(source, target, asked, target_from_source, 1);
+  std::vector<Correspondence> beyond;
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const double r = static_cast<double>(residuals[k]) - model.offset;  // NaN where they are not compared
+    if (model.information * r * r > model.kernel_chi2) beyond.push_back(asked[k]);
+  }
+  return beyond;
+}
+
 // The loss of a pair beyond the kernel bends the other way.
 Mat6d curvature(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                 const Rigid3& target_from_source, const Objective& objective, const Mat6d& H) {
@@ -55,7 +68,14 @@ Mat6d curvature(const Cloud& source, const Cloud& target, std::span<const Corres
     const double direction = std::min(static_cast<double>(std::max(chi2.direction[k], 0.0f)), objective.kernel_direction_chi2);
     if (static_cast<double>(chi2.position[k]) + direction > objective.kernel_chi2) beyond.push_back(asked[k]);
   }
-  return H - 2.0 * static_cast<double>(step) * linearize(source, target, beyond, target_from_source, objective, 1).H;
+  Objective without_intensity = objective;
+  without_intensity.intensity = {};
+  Mat6d other_way = linearize(source, target, beyond, target_from_source, without_intensity, 1).H;
+  if (const IntensityModel& model = objective.intensity; model.information > 0.0) {
+    const auto shining = beyond_intensity_kernel(source, target, asked, target_from_source, model);
+    other_way += linearize_intensity(source, target, shining, target_from_source, model, 1).H;
+  }
+  return H - 2.0 * static_cast<double>(step) * other_way;
 }
 
 }  // namespace

@@ -83,6 +83,12 @@ Hold hold_of(const Information& information, const Vec3d& direction, const Vec3d
   return hold;
 }
 
+// Two directions that differ by more than noise belong to two surfaces, and what they share holds nothing.
+double weight_of_angle(double cosine) {
+  constexpr double kMaxSineSq = 0.03;  // of ten degrees
+  return kMaxSineSq / std::max(kMaxSineSq, 1.0 - cosine * cosine);
+}
+
 // J^T Omega J of a pair, but with the J and the half of Omega that each of its two points knows: what noise in one direction
 // seems to hold, the other's noise denies, so that in the sum it cancels. With the target's alone a sphere seen with noise would
 // be held against turns by as much as a room is.
@@ -98,19 +104,25 @@ Mat6d held_by(const Cloud& source, const Cloud& target, const Correspondence& pa
   const Vec3d l = knows_direction ? Vec3d(pose.rotation * source.directions[pair.source].cast<double>()) : Vec3d::Zero();
   const Hold of_target = hold_of(information, d, target.points[pair.target].cast<double>(), spread);
   const Hold of_moved = hold_of(information, l, pose * source.points[pair.source].cast<double>(), spread);
-  const Mat6d both = of_moved * of_target.transpose() / largest;
+  const double weight = knows_direction ? weight_of_angle(d.dot(l)) : 1.0;
+  const Mat6d both = weight * of_moved * of_target.transpose() / largest;
   return 0.5 * (both + both.transpose());
 }
 
-// The sum over the pairs, each with its robust weight.
+// The robust weights of the pairs' positions, as the objective has them.
+std::vector<double> robust_weights(const PairChi2& chi2, double kernel_chi2) {
+  std::vector<double> weights;
+  for (const float of_position : chi2.position)
+    weights.push_back(std::min(1.0, kernel_chi2 / static_cast<double>(of_position)));
+  return weights;
+}
+
 Mat6d held_by(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs, const Rigid3& pose,
-              const InformationModel& model, double kernel_chi2, const Spread& spread) {
-  const PairChi2 chi2 = chi2_of_pairs(source, target, pairs, pose, model, 1);
+              const InformationModel& model, const std::vector<double>& weights, const Spread& spread) {
   Mat6d held = Mat6d::Zero();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double gamma = std::min(1.0, kernel_chi2 / static_cast<double>(chi2.position[k]));
-    const double weight = target.weights.empty() ? 1.0 : static_cast<double>(target.weights[pairs[k].target]);
-    held += gamma * weight * held_by(source, target, pairs[k], pose, model, spread);
+    const double of_target = target.weights.empty() ? 1.0 : static_cast<double>(target.weights[pairs[k].target]);
+    held += weights[k] * of_target * held_by(source, target, pairs[k], pose, model, spread);
   }
   return held;
 }
@@ -123,17 +135,23 @@ Observability observability(const Cloud& source, const Cloud& target, std::span<
   const std::vector<Correspondence> asked = asked_of(pairs);
   const Spread spread = spread_of(target, asked);
   if (!(spread.gyration > 0.0)) return {};
+  const Mat6d change = increment_from_scaled(spread);
+  const std::vector<double> weights = robust_weights(
+      chi2_of_pairs(source, target, asked, target_from_source, objective.information, 1), objective.kernel_chi2);
   const auto held_under = [&](const InformationModel& model) {
-    return held_by(source, target, asked, target_from_source, model, objective.kernel_chi2, spread);
+    return held_by(source, target, asked, target_from_source, model, weights, spread);
   };
   const InformationModel hard = without_softening(objective.information);
   Mat6d held = held_under(planes_alone(hard));
   if (held.isZero(0.0)) held = held_under(edges_alone(hard));
   if (held.isZero(0.0)) held = held_under(hard);
+  if (objective.intensity.information > 0.0)
+    held += change.transpose() *
+            shared_intensity_information(source, target, asked, target_from_source, objective.intensity, 1) * change;
   const Eigen::SelfAdjointEigenSolver<Mat6d> solver(held);
   const double best = solver.eigenvalues()[5];
   if (!(best > 0.0)) return {};
-  return {solver.eigenvalues().cwiseMax(0.0) / best, increment_from_scaled(spread) * solver.eigenvectors(), spread.centroid,
+  return {solver.eigenvalues().cwiseMax(0.0) / best, change * solver.eigenvectors(), spread.centroid,
           spread.gyration};
 }
 

@@ -16,6 +16,8 @@ void AlignOptions::check() const {
   require_positive("kernel_per_median", kernel_per_median);
   require(kernel_direction_per_median > 0.0, "kernel_direction_per_median", kernel_direction_per_median,
           "must be above 0");
+  require_not_negative("intensity_weight", intensity_weight);
+  require_positive("kernel_intensity_per_median", kernel_intensity_per_median);
   require_not_negative("damping", damping);
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
   require_not_negative("min_translation_step", min_translation_step);

@@ -26,6 +26,36 @@ std::vector<float> total_chi2(const PairChi2& chi2, double lever) {
   return total;
 }
 
+struct Measured {
+  double offset = 0.0;
+  std::vector<float> squared_errors, squared_gradients;  // of the pairs that are compared
+};
+
+// The middle one, of either sign.
+double signed_median(std::vector<float> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return static_cast<double>(*middle);
+}
+
+Measured measured_intensities(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                              const Rigid3& target_from_source, int num_threads) {
+  const std::vector<float> residuals = intensity_residuals(source, target, pairs, target_from_source, num_threads);
+  Measured measured;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (std::isnan(residuals[k])) continue;
+    measured.squared_errors.push_back(residuals[k]);
+    measured.squared_gradients.push_back(target.intensity_gradients[pairs[k].target].squaredNorm());
+  }
+  if (measured.squared_errors.empty()) return measured;
+  measured.offset = signed_median(measured.squared_errors);
+  for (float& error : measured.squared_errors) {
+    error -= static_cast<float>(measured.offset);
+    error *= error;
+  }
+  return measured;
+}
+
 }  // namespace
 
 Weighing weigh_pairs(const PairChi2& chi2, const AlignOptions& options) {
@@ -41,6 +71,23 @@ Weighing weigh_pairs(const PairChi2& chi2, const AlignOptions& options) {
   weighing.kernel_direction_chi2 =
       std::max(kTiny, options.kernel_direction_per_median * weighing.lever * weighing.lever * of_direction);
   return weighing;
+}
+
+IntensityModel weigh_intensities(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                                 const Rigid3& target_from_source, const PairChi2& chi2, const AlignOptions& options) {
+  if (!(options.intensity_weight > 0.0) || !compares_intensities(source, target)) return {};
+  const Measured measured = measured_intensities(source, target, pairs, target_from_source, options.num_threads);
+  if (measured.squared_errors.empty()) return {};
+  const double of_intensity = median(measured.squared_errors), gradient_sq = median(measured.squared_gradients);
+  const double of_position = std::max(median(chi2.position), options.min_kernel_chi2 / options.kernel_per_median);
+  const Information& plane = options.information.planar.position;
+  const double most = std::max(plane.along, plane.across) / gradient_sq;
+  IntensityModel model;
+  model.offset = measured.offset;
+  model.information =
+      of_intensity > 0.0 ? std::min(most, options.intensity_weight * of_position / of_intensity) : most;
+  model.kernel_chi2 = std::max(kTiny, options.kernel_intensity_per_median * model.information * of_intensity);
+  return model;
 }
 
 }  // namespace augicp

@@ -29,6 +29,52 @@ TEST(Weighing, LeverIsTheRatioOfTheMedianErrors) {
   EXPECT_DOUBLE_EQ(weigh_pairs(rougher, {}).lever, 0.5);
 }
 
+// Three pairs under the identity whose brightness differs by offset + 0, 0.1 and -0.2.
+struct BrightPairs {
+  Cloud source, target;
+  std::vector<Correspondence> pairs{{0, 0}, {1, 1}, {2, 2}};
+};
+
+BrightPairs bright_pairs(float offset, float gradient) {
+  BrightPairs two;
+  two.source.points = two.target.points = {Vec3f::Zero(), Vec3f::UnitX(), Vec3f::UnitY()};
+  two.source.intensities = {0.5f, 0.5f, 0.5f};
+  two.target.intensities = {0.5f + offset, 0.6f + offset, 0.3f + offset};
+  two.target.intensity_gradients.assign(3, Vec3f(gradient, 0.0f, 0.0f));
+  return two;
+}
+
+IntensityModel weigh(const BrightPairs& two, double weight = 1.0) {
+  AlignOptions options;
+  options.intensity_weight = weight;
+  return weigh_intensities(two.source, two.target, two.pairs, Rigid3{}, kChi2, options);
+}
+
+TEST(Weighing, IntensitiesCountAsMuchAsPositions) {
+  const IntensityModel model = weigh(bright_pairs(0.2f, 0.01f));  // medians: 16 of the positions, 0.01 of the brightness
+  EXPECT_NEAR(model.offset, 0.2, 1e-6);
+  EXPECT_NEAR(model.information, 16.0 / 0.01, 1e-2);
+  EXPECT_NEAR(model.kernel_chi2, AlignOptions{}.kernel_intensity_per_median * 16.0, 1e-4);
+  EXPECT_NEAR(weigh(bright_pairs(0.2f, 0.01f), 0.5).information, 8.0 / 0.01, 1e-2);
+}
+
+TEST(Weighing, AGradientHoldsNoMoreFirmlyThanAPlane) {
+  const double along = AlignOptions{}.information.planar.position.along;
+  EXPECT_NEAR(weigh(bright_pairs(0.0f, 20.0f)).information, along / 400.0, 1e-6 * along);
+  BrightPairs perfect = bright_pairs(0.0f, 20.0f);
+  perfect.target.intensities = perfect.source.intensities;
+  EXPECT_NEAR(weigh(perfect).information, along / 400.0, 1e-6 * along);
+}
+
+TEST(Weighing, IntensitiesAreOffWhereNotAskedForOrMissing) {
+  BrightPairs two = bright_pairs(0.0f, 1.0f);
+  EXPECT_EQ(weigh(two, 0.0).information, 0.0);
+  two.target.intensity_gradients.assign(3, Vec3f::Zero());
+  EXPECT_EQ(weigh(two).information, 0.0);
+  two.source.intensities.clear();
+  EXPECT_EQ(weigh(two).information, 0.0);
+}
+
 TEST(Weighing, LeverIsCapped) {
   AlignOptions options;
   options.max_lever = 0.25;

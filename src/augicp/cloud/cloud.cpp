@@ -9,6 +9,7 @@ Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a) {
   moved.origin = b_from_a * cloud_in_a.origin;
   for (Vec3f& point : moved.points) point = rotation * point;
   for (Vec3f& direction : moved.directions) direction = rotation * direction;
+  for (Vec3f& gradient : moved.intensity_gradients) gradient = rotation * gradient;
   if (moved.viewpoint) moved.viewpoint = rotation * *moved.viewpoint;
   return moved;
 }

@@ -31,6 +31,13 @@ struct Cloud {
   // alike.
   std::vector<float> weights;
 
+  // How bright each point is, in any unit: a camera's grey value, a LiDAR's return. NaN where that is not known. Empty: none is.
+  std::vector<float> intensities;
+
+  // How the intensity changes along the surface, per metre; zero where that is not known, and empty until it is estimated,
+  // see surface/intensity_gradient.h.
+  std::vector<Vec3f> intensity_gradients;
+
   // Where the sensor was, relative to origin as the points are. Where it is known, normals point to it; where it is
   // not, a normal and its opposite are the same plane.
   std::optional<Vec3f> viewpoint;
@@ -38,12 +45,14 @@ struct Cloud {
   std::size_t size() const { return points.size(); }
   bool empty() const { return points.empty(); }
   bool has_directions() const { return !points.empty() && directions.size() == points.size(); }
+  bool has_intensities() const { return !points.empty() && intensities.size() == points.size(); }
+  bool has_intensity_gradients() const { return has_intensities() && intensity_gradients.size() == points.size(); }
 };
 
 // Whether normals of the two clouds compare with their sign: where both sensors' places are known.
 inline bool normals_have_signs(const Cloud& source, const Cloud& target) { return source.viewpoint && target.viewpoint; }
 
-// The frame moved: points, origin, viewpoint and directions, Eq. (4) and (7).
+// The frame moved: points, origin, viewpoint, directions and gradients, Eq. (4) and (7).
 Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a);
 
 // Axis-aligned bounds relative to origin, metres. Both zero for an empty cloud.

@@ -14,6 +14,8 @@ Cloud small_cloud() {
   cloud.points = {{0.0f, 0.0f, 1.0f}, {1.0f, -2.0f, 3.0f}};
   cloud.directions = {{0.0f, 0.0f, -1.0f}, {1.0f, 0.0f, 0.0f}};
   cloud.structures = {Structure::Planar, Structure::Edge};
+  cloud.intensities = {0.5f, 7.0f};
+  cloud.intensity_gradients = {{2.0f, 0.0f, 0.0f}, {0.0f, -3.0f, 1.0f}};
   cloud.origin = {10.0, 20.0, 30.0};
   cloud.viewpoint = Vec3f(0.0f, 0.0f, 0.0f);
   return cloud;
@@ -28,7 +30,10 @@ TEST(Cloud, TransformMovesPointsAndTurnsDirections) {
       EXPECT_THAT(moved.origin + moved.points[i].cast<double>(), testing::NearVector(expected, 1e-6));
       EXPECT_THAT(moved.directions[i].cast<double>(),
                   testing::NearVector(b_from_a.rotation * cloud.directions[i].cast<double>(), 1e-6));
+      EXPECT_THAT(moved.intensity_gradients[i].cast<double>(),
+                  testing::NearVector(b_from_a.rotation * cloud.intensity_gradients[i].cast<double>(), 2e-6));
     }
+    EXPECT_EQ(moved.intensities, cloud.intensities);
     EXPECT_THAT(moved.origin + moved.viewpoint->cast<double>(), testing::NearVector(b_from_a * cloud.origin, 1e-6));
   }
 }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "augicp/core/check.h"
@@ -53,6 +55,27 @@ double largest_span(const Cloud& cloud) {
   return (box.max.cast<double>() - box.min.cast<double>()).maxCoeff();
 }
 
+template <typename T>
+std::vector<T> at(const std::vector<T>& values, const std::vector<std::uint32_t>& indices) {
+  std::vector<T> chosen;
+  chosen.reserve(indices.size());
+  for (std::uint32_t i : indices) chosen.push_back(values[i]);
+  return chosen;
+}
+
+// Of those that are known; NaN where none is.
+float mean_intensity(const Cloud& cloud, std::span<const Keyed> voxel) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Keyed& point : voxel) {
+    const float intensity = cloud.intensities[point.index];
+    if (std::isnan(intensity)) continue;
+    sum += static_cast<double>(intensity);
+    ++count;
+  }
+  return count == 0 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(sum / count);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> spatial_order(const Cloud& cloud) {
@@ -68,15 +91,13 @@ Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices) {
   Cloud chosen;
   chosen.origin = cloud.origin;
   chosen.viewpoint = cloud.viewpoint;
-  chosen.points.reserve(indices.size());
-  for (std::uint32_t i : indices) chosen.points.push_back(cloud.points[i]);
-  if (!cloud.weights.empty())
-    for (std::uint32_t i : indices) chosen.weights.push_back(cloud.weights[i]);
+  chosen.points = at(cloud.points, indices);
+  if (!cloud.weights.empty()) chosen.weights = at(cloud.weights, indices);
+  if (cloud.has_intensities()) chosen.intensities = at(cloud.intensities, indices);
+  if (cloud.has_intensity_gradients()) chosen.intensity_gradients = at(cloud.intensity_gradients, indices);
   if (!cloud.has_directions()) return chosen;
-  for (std::uint32_t i : indices) {
-    chosen.directions.push_back(cloud.directions[i]);
-    chosen.structures.push_back(cloud.structures[i]);
-  }
+  chosen.directions = at(cloud.directions, indices);
+  chosen.structures = at(cloud.structures, indices);
   return chosen;
 }
 
@@ -88,6 +109,7 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
   const std::vector<Keyed> keyed = sorted_keys(cloud, voxel_size);
   std::vector<std::uint32_t> nearest_to_mean;
   std::vector<Vec3f> means;
+  std::vector<float> intensities;
   for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
     Vec3d sum = Vec3d::Zero();
     for (; end < keyed.size() && keyed[end].key == keyed[begin].key; ++end)
@@ -97,10 +119,13 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
       return (cloud.points[a.index] - mean).squaredNorm() < (cloud.points[b.index] - mean).squaredNorm();
     });
     means.push_back(mean);
+    if (cloud.has_intensities())
+      intensities.push_back(mean_intensity(cloud, std::span(keyed).subspan(begin, end - begin)));
     nearest_to_mean.push_back(nearest->index);
   }
   Cloud sampled = select(cloud, nearest_to_mean);
   sampled.points = std::move(means);
+  sampled.intensities = std::move(intensities);
   return sampled;
 }
 

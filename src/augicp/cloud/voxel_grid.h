@@ -15,7 +15,8 @@ std::vector<std::uint32_t> spatial_order(const Cloud& cloud);
 // The points at these indices, in this order, with all that belongs to them.
 Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices);
 
-// One point a voxel: the mean of the points in it, with the direction and structure of the point nearest to that mean.
+// One point a voxel: the mean of the points in it and of their intensities, with the direction, the structure and all else of the
+// point nearest to that mean.
 // Ordered in space and independent of the order of the points. voxel_size in metres, above 0; throws
 // std::invalid_argument where the cloud spans more than 2^21 voxels along an axis.
 Cloud downsample(const Cloud& cloud, double voxel_size);

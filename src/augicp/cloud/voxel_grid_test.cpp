@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -51,6 +52,21 @@ TEST(VoxelGrid, EachVoxelGivesTheMeanOfItsPoints) {
                                    [&](const Vec3f& p) { return (p - mean).norm() < 1e-5f; });
     EXPECT_TRUE(found);
   }
+}
+
+TEST(VoxelGrid, IntensityIsTheMeanOfTheKnownOnes) {
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  Cloud cloud;
+  cloud.points = {{0.0f, 0.0f, 0.0f}, {0.1f, 0.0f, 0.0f}, {0.2f, 0.0f, 0.0f}, {5.0f, 0.0f, 0.0f}};
+  cloud.intensities = {1.0f, unknown, 2.0f, unknown};
+  cloud.intensity_gradients = {Vec3f::UnitX(), Vec3f::UnitY(), Vec3f::UnitZ(), Vec3f::Zero()};
+  const Cloud sampled = downsample(cloud, 1.0);
+  ASSERT_EQ(sampled.intensities.size(), 2u);
+  EXPECT_EQ(sampled.intensities[0], 1.5f);
+  EXPECT_TRUE(std::isnan(sampled.intensities[1]));
+  EXPECT_EQ(sampled.intensity_gradients, (std::vector<Vec3f>{Vec3f::UnitY(), Vec3f::Zero()}));
+  EXPECT_EQ(select(cloud, {2, 0}).intensities, (std::vector<float>{2.0f, 1.0f}));
+  EXPECT_TRUE(downsample(random_cloud(100, 1.0), 0.3).intensities.empty());
 }
 
 TEST(VoxelGrid, OrderOfThePointsDoesNotMatter) {

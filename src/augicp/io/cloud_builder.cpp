@@ -17,6 +17,12 @@ bool is_usable(const Vec3d& position) {
   return (position.array().abs() < kFarthest).all();  // NaN fails
 }
 
+// What is infinite, or not a float, was not measured.
+float intensity_of(double value) {
+  const bool known = std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());  // NaN fails
+  return known ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
+}
+
 // Medians over at most this many points, evenly spread over the file: enough for an origin.
 constexpr std::size_t kMaxSample = 4096;
 
@@ -50,7 +56,8 @@ Spread spread_of(const std::vector<Vec3f>& points) {
 
 }  // namespace
 
-CloudBuilder::CloudBuilder(const PointTable& table, const Vec3d& origin) : is_organised_(table.width > 0) {
+CloudBuilder::CloudBuilder(const PointTable& table, const Vec3d& origin)
+    : has_intensities_(table.has_intensities), is_organised_(table.width > 0) {
   Cloud& cloud = file_.cloud;
   cloud.origin = origin;
   cloud.points.reserve(table.num_points);
@@ -58,6 +65,7 @@ CloudBuilder::CloudBuilder(const PointTable& table, const Vec3d& origin) : is_or
     cloud.directions.reserve(table.num_points);
     cloud.structures.reserve(table.num_points);
   }
+  if (has_intensities_) cloud.intensities.reserve(table.num_points);
   if (is_organised_) places_.reserve(table.num_points);
   if (table.viewpoint) cloud.viewpoint = (*table.viewpoint - origin).cast<float>();
   file_.report.format = table.format;
@@ -76,6 +84,7 @@ void CloudBuilder::add(const PointValues& values) {
   }
   file_.cloud.points.push_back((position - file_.cloud.origin).cast<float>());
   if (file_.report.has_normals) add_direction(values);
+  if (has_intensities_) file_.cloud.intensities.push_back(intensity_of(values[7]));
 }
 
 void CloudBuilder::add_direction(const PointValues& values) {

@@ -16,21 +16,22 @@
 
 namespace augicp {
 
-// The numbers a point may have: x y z, nx ny nz, and structure as the number of its enumerator.
-inline constexpr std::size_t kNumRoles = 7;
+// The numbers a point may have: x y z, nx ny nz, structure as the number of its enumerator, and intensity.
+inline constexpr std::size_t kNumRoles = 8;
 using PointValues = std::array<double, kNumRoles>;
 
 // For each role the column that holds it.
 inline constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 struct PointColumns {
   std::array<std::size_t, kNumRoles> of_role{kNoColumn, kNoColumn, kNoColumn, kNoColumn,
-                                             kNoColumn, kNoColumn, kNoColumn};
+                                             kNoColumn, kNoColumn, kNoColumn, kNoColumn};
 
   bool has_normals() const { return of_role[3] != kNoColumn; }
+  bool has_intensities() const { return of_role[7] != kNoColumn; }
 };
 
-// Columns by their names, in either case: x y z, nx ny nz or normal_x normal_y normal_z, structure. Normals count only
-// when all three are there. Throws IoError for a missing coordinate, and for a name of these that comes twice.
+// Columns by their names, in either case: x y z, nx ny nz or normal_x normal_y normal_z, structure, intensity or
+// scalar_intensity, the first of these where there are several. Normals count only when all three are there. Throws IoError for a missing coordinate, and for a name of these that comes twice.
 PointColumns find_columns(const std::filesystem::path& path, std::span<const std::string> names);
 
 // What a file states about its points as a whole.
@@ -40,6 +41,7 @@ struct PointTable {
   bool has_normals = false;
   int width = 0;  // of an organised file's rows; 0: not organised
   std::optional<Vec3d> viewpoint;
+  bool has_intensities = false;
 };
 
 // Takes points in file order.
@@ -54,6 +56,7 @@ class CloudBuilder {
   Vec3d suitable_origin() const;
 
   CloudFile file_;
+  bool has_intensities_;
   std::vector<std::int32_t> places_;  // of an organised file: the point in each place
   bool is_organised_;
 };

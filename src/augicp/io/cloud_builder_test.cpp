@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -117,6 +118,24 @@ TEST(FindColumns, KnowsBothSchemesInEitherCase) {
   EXPECT_EQ(columns.of_role[0], 1u);
   EXPECT_EQ(columns.of_role[5], 6u);
   EXPECT_TRUE(columns.has_normals());
+  EXPECT_EQ(columns.of_role[7], 0u);
+}
+
+// Other columns may be called what they like, and CloudCompare writes an intensity under both names.
+TEST(FindColumns, TheFirstIntensityCounts) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(find_columns("file", Names{"x", "y", "z", "scalar_Intensity", "Intensity"}).of_role[7], 3u);
+  EXPECT_FALSE(find_columns("file", Names{"x", "y", "z", "reflectivity"}).has_intensities());
+}
+
+TEST(CloudBuilder, IntensitiesAreKeptAndUnknownWhereNotFinite) {
+  PointTable table;
+  table.has_intensities = true;
+  const double huge = std::numeric_limits<double>::max();
+  const Cloud cloud = build({{0, 0, 1, 0, 0, 0, 1, 7.5}, {kNan, 0, 1, 0, 0, 0, 1, 8}, {0, 1, 1, 0, 0, 0, 1, huge}}, table).cloud;
+  ASSERT_EQ(cloud.intensities.size(), 2u);
+  EXPECT_EQ(cloud.intensities[0], 7.5f);
+  EXPECT_TRUE(std::isnan(cloud.intensities[1]));
 }
 
 // robustness 3

@@ -39,11 +39,14 @@ std::vector<RowColumn> row_columns(const Cloud& cloud, std::span<const Colour> c
     throw std::invalid_argument(fmt::format("colours: expected {}, found {}", cloud.size(), colours.size()));
   if (cloud.structures.size() != cloud.directions.size())
     throw std::invalid_argument("cloud: must have as many structures as directions");
+  if (!cloud.intensities.empty() && !cloud.has_intensities())
+    throw std::invalid_argument("cloud: must have as many intensities as points, or none");
   const ScalarType position = cloud.origin.isZero(0.0) ? ScalarType::Float32 : ScalarType::Float64;
   std::vector<RowColumn> columns{{"x", position}, {"y", position}, {"z", position}};
   if (cloud.has_directions())
     for (const char* name : {"nx", "ny", "nz"}) columns.push_back({name, ScalarType::Float32});
   if (cloud.has_directions()) columns.push_back({"structure", ScalarType::Uint8});
+  if (cloud.has_intensities()) columns.push_back({"intensity", ScalarType::Float32});
   if (!colours.empty())
     for (const char* name : {"red", "green", "blue"}) columns.push_back({name, ScalarType::Uint8});
   return columns;
@@ -62,6 +65,7 @@ void write_rows(AtomicFile& file, const Cloud& cloud, std::span<const Colour> co
       append_vector(rows, cloud.directions[i], encoding);
       append(rows, static_cast<std::uint8_t>(cloud.structures[i]), encoding);
     }
+    if (cloud.has_intensities()) append(rows, cloud.intensities[i], encoding);
     if (!colours.empty()) append_vector(rows, colours[i], encoding);
     if (encoding == FileEncoding::Ascii) rows.back() = '\n';
     if (rows.size() < kBufferBytes) continue;

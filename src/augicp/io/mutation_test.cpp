@@ -28,6 +28,7 @@ std::vector<FileBytes> healthy_files() {
     cloud.points.push_back(testing::random_direction(generator).cast<float>());
     cloud.directions.push_back(testing::random_direction(generator).cast<float>());
     cloud.structures.push_back(Structure::Planar);
+    cloud.intensities.push_back(static_cast<float>(i));
   }
   write_ply(folder / "binary.ply", cloud);
   write_ply(folder / "text.ply", cloud, {}, FileEncoding::Ascii);

@@ -9,13 +9,16 @@
 namespace augicp {
 namespace {
 
+constexpr std::size_t kIntensity = 7;
+
 struct RoleName {
   std::string_view name;
   std::size_t role;
 };
 
 constexpr RoleName kRoleNames[] = {{"x", 0},  {"y", 1},        {"z", 2},        {"nx", 3},       {"ny", 4},
-                                   {"nz", 5}, {"normal_x", 3}, {"normal_y", 4}, {"normal_z", 5}, {"structure", 6}};
+                                   {"nz", 5}, {"normal_x", 3}, {"normal_y", 4}, {"normal_z", 5}, {"structure", 6},
+                                   {"intensity", kIntensity}, {"scalar_intensity", kIntensity}};
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
@@ -38,6 +41,7 @@ PointColumns find_columns(const std::filesystem::path& path, std::span<const std
     const std::string name = lower_case(names[column]);
     for (const RoleName& entry : kRoleNames) {
       if (entry.name != name) continue;
+      if (columns.of_role[entry.role] != kNoColumn && entry.role == kIntensity) continue;  // CloudCompare writes both
       if (columns.of_role[entry.role] != kNoColumn)
         throw io_error(path, fmt::format("expected one column {}, found a second", in_quotes(names[column])));
       columns.of_role[entry.role] = column;

@@ -39,7 +39,11 @@ CloudFile parse_kitti(const FileBytes& file, const ReadOptions& options) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     points.columns[axis] = {axis * kNumberBytes, stride, 0, ScalarType::Float32};
   PointTable table{"kitti bin", points.row_length, false, 0, std::nullopt};
-  if (is_sweep) table.viewpoint = Vec3d::Zero();
+  if (is_sweep) {
+    table.viewpoint = Vec3d::Zero();
+    table.has_intensities = true;
+    points.columns[7] = {3 * kNumberBytes, stride, 0, ScalarType::Float32};
+  }
   return build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
 }
 

@@ -24,12 +24,14 @@ TEST(ReadKitti, PointsAreSeenFromZero) {
   EXPECT_EQ(file.cloud.viewpoint, Vec3f(0, 0, 0));
   EXPECT_EQ(file.report.num_declared, 3u);
   EXPECT_EQ(file.report.num_not_finite, 1u);
+  EXPECT_EQ(file.cloud.intensities, (std::vector<float>{0.5f, 0.0f}));
 }
 
 TEST(ReadKitti, BarePositionsAreReadWhenAskedFor) {
   const CloudFile file = parse("a.bin", packed<float>({1, -2, -3, 4, 5, -6}), {.num_bin_columns = 3});
   EXPECT_EQ(file.cloud.points, (Points{{1, -2, -3}, {4, 5, -6}}));
   EXPECT_FALSE(file.cloud.viewpoint);
+  EXPECT_TRUE(file.cloud.intensities.empty());
   EXPECT_THROW(parse("a.bin", sweep(), {.num_bin_columns = 5}), std::invalid_argument);
 }
 

@@ -21,7 +21,8 @@ IoError cut_short(const FileBytes& file, std::uint64_t num_points) {
 PointColumns point_columns(const FileBytes& file, const PcdHeader& header) {
   std::vector<std::string> names;
   for (const PcdField& field : header.fields) names.push_back(field.name);
-  const PointColumns columns = find_columns(file.path, names);
+  PointColumns columns = find_columns(file.path, names);
+  if (columns.has_intensities() && header.fields[columns.of_role[7]].count != 1) columns.of_role[7] = kNoColumn;
   for (const std::size_t column : columns.of_role)
     if (column != kNoColumn && header.fields[column].count != 1)
       throw io_error(file.path, fmt::format("expected COUNT 1 of field {}, found {}", in_quotes(names[column]),
@@ -132,7 +133,7 @@ CloudFile parse_pcd(const FileBytes& file, const ReadOptions& options) {
   const PcdHeader header = parse_pcd_header(file);
   check_num_points(file.path, header.num_points, options);
   const PointColumns columns = point_columns(file, header);
-  PointTable table{"pcd ascii", header.num_points, columns.has_normals(), 0, header.viewpoint};
+  PointTable table{"pcd ascii", header.num_points, columns.has_normals(), 0, header.viewpoint, columns.has_intensities()};
   if (header.height > 1) table.width = static_cast<int>(header.width);
   if (header.encoding == PcdEncoding::Ascii) return read_ascii(file, header, columns, table);
   table.format = header.encoding == PcdEncoding::Binary ? "pcd binary" : "pcd binary_compressed";

@@ -166,7 +166,7 @@ CloudFile parse_ply(const FileBytes& file, const ReadOptions& options) {
   const PointColumns columns = find_columns(file.path, names);
 
   const Elements before(elements.begin(), vertex), after(std::next(vertex), elements.end());
-  PointTable table{"ply ascii", vertex->count, columns.has_normals(), 0, std::nullopt};
+  PointTable table{"ply ascii", vertex->count, columns.has_normals(), 0, std::nullopt, columns.has_intensities()};
   if (header.encoding == PlyEncoding::Ascii) return read_text(file, header, before, *vertex, after, columns, table);
   table.format = byte_order(header) == ByteOrder::Big ? "ply binary_big_endian" : "ply binary_little_endian";
   return read_binary(file, header, before, *vertex, after, columns, table);

@@ -130,6 +130,14 @@ TEST(ReadPly, NormalsAreDirectionsOfPlanes) {
   EXPECT_FALSE(file.cloud.viewpoint);
 }
 
+TEST(ReadPly, IntensitiesAreRead) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float scalar_Intensity\nend_header\n0 0 1 0.5\n0 0 2 70\n";
+  EXPECT_EQ(parse("a.ply", text).cloud.intensities, (std::vector<float>{0.5f, 70.0f}));
+  EXPECT_TRUE(parse("a.ply", testing::with(text, "scalar_Intensity", "scalar_Time")).cloud.intensities.empty());
+}
+
 // robustness 2
 TEST(ReadPly, CountsThatCannotBeAreErrors) {
   for (const std::string& bytes : {std::string(kText), binary_file()})

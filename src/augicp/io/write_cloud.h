@@ -15,7 +15,8 @@ using Colour = std::array<std::uint8_t, 3>;  // red, green, blue
 enum class FileEncoding : std::uint8_t { Binary, Ascii };  // binary is little endian
 
 // Writers. Positions are written with their origin: as float where that is zero, else as double, so that nothing is
-// lost. Directions follow as nx ny nz, with the structure as its number. Throw IoError, and std::invalid_argument for a
+// lost. Directions follow as nx ny nz, with the structure as its number, then the
+// intensity. Throw IoError, and std::invalid_argument for a
 // cloud without points.
 
 // By extension, .ply or .pcd, binary.

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "augicp/io/read_cloud.h"
@@ -22,6 +24,7 @@ Cloud random_cloud(const Vec3d& origin, bool has_directions) {
   for (int i = 0; i < 500; ++i) {
     cloud.points.push_back((10.0 * testing::random_direction(generator)).cast<float>());
     if (!has_directions) continue;
+    cloud.intensities.push_back(static_cast<float>(testing::uniform(generator, -1.0, 300.0)));
     const auto structure = static_cast<Structure>(i % 3);
     cloud.structures.push_back(structure);
     cloud.directions.push_back(structure == Structure::None
@@ -40,6 +43,7 @@ void expect_equal(const Cloud& found, const Cloud& expected) {
   ASSERT_EQ(found.size(), expected.size());
   EXPECT_EQ(found.structures, expected.structures);
   EXPECT_EQ(found.has_directions(), expected.has_directions());
+  EXPECT_EQ(found.intensities, expected.intensities);
   if (expected.origin.isZero(0.0)) {
     EXPECT_EQ(found.points, expected.points);
   }
@@ -55,6 +59,24 @@ void expect_equal(const Cloud& found, const Cloud& expected) {
 
 constexpr const char* kNames[] = {"cloud.ply", "cloud.pcd"};
 constexpr FileEncoding kEncodings[] = {FileEncoding::Binary, FileEncoding::Ascii};
+
+// Without directions, and where some are not known, which is not equal to itself.
+TEST(WriteCloud, IntensitiesSurvive) {
+  const testing::TemporaryFolder folder;
+  for (const char* name : kNames)
+    for (const FileEncoding encoding : kEncodings) {
+      Cloud cloud = random_cloud(Vec3d::Zero(), false);
+      for (std::size_t i = 0; i < cloud.size(); ++i) cloud.intensities.push_back(0.1f * static_cast<float>(i));
+      cloud.intensities[7] = std::numeric_limits<float>::quiet_NaN();
+      write(folder / name, cloud, encoding);
+      const std::vector<float> found = read_cloud(folder / name).cloud.intensities;
+      ASSERT_EQ(found.size(), cloud.size());
+      for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_TRUE(i == 7 ? std::isnan(found[i]) : found[i] == cloud.intensities[i]) << name << " " << i;
+      cloud.intensities.pop_back();
+      EXPECT_THROW(write(folder / name, cloud, encoding), std::invalid_argument);
+    }
+}
 
 // robustness 6
 TEST(WriteCloud, WriteThenReadIsIdentity) {

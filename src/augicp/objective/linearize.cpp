@@ -84,6 +84,8 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
   const BlockSums sums = blocked_sum<BlockSums>(pairs.size(), num_threads, sums_of, kLightBlockSize);
   NormalEquations equations = equations_of(sums);
   equations.num_pairs = static_cast<std::int64_t>(pairs.size());
+  if (objective.intensity.information > 0.0)
+    equations += linearize_intensity(source, target, pairs, target_from_source, objective.intensity, num_threads);
   return equations;
 }
 

@@ -8,17 +8,9 @@
 
 #include "augicp/cloud/correspondence.h"
 #include "augicp/objective/information.h"
+#include "augicp/objective/intensity.h"
 
 namespace augicp {
-
-// The quadratic that stands for the objective around a pose, Eq. (14), for the increment of geometry/rigid3.h:
-// translation first, rotation vector second, target frame.
-struct NormalEquations {
-  Mat6d H = Mat6d::Zero();
-  Vec6d b = Vec6d::Zero();
-  double cost = 0.0;  // half the sum of the robust losses; b is its gradient
-  std::int64_t num_pairs = 0;
-};
 
 // Eq. (8) with the robust weight of Eq. (13).
 struct Objective {
@@ -30,6 +22,9 @@ struct Objective {
   // The same for the direction's part alone, before it enters chi2: two directions may be unlike (clutter, a wrong pair)
   // where the positions fit well.
   double kernel_direction_chi2 = std::numeric_limits<double>::infinity();
+
+  // Beyond the paper: a third part of every pair's error. Off where its information is 0.
+  IntensityModel intensity{};
 };
 
 // H, b and cost over the pairs. Points of both clouds are taken without their origins. A linear part counts where both

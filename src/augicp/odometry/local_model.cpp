@@ -78,6 +78,8 @@ LocalModel model_of(const Scan& keyframe) {
   std::vector<float>& weights = model.scan.cloud.weights;
   if (weights.empty()) weights.assign(keyframe.cloud.size(), 1.0f);
   model.weights = weights;
+  model.scan.cloud.intensities.clear();  // not averaged
+  model.scan.cloud.intensity_gradients.clear();
   return model;
 }
 

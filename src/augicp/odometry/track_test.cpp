@@ -20,7 +20,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-constexpr int kWidth = 48;
+constexpr int kWidth = 80;
 
 DepthImage image_at(int k) {
   const testing::Scene room = testing::room();

@@ -38,6 +38,7 @@ Level::Level(Scan source, Scan target, const Lengths& lengths, const Registratio
 AlignOptions Level::usual_options() const {
   AlignOptions options = align_options(lengths_, is_projective(target_, options_.association), options_);
   options.correlation_length = 0.0;  // nobody asks how sure a start is
+  options.intensity_weight = 0.0;
   return options;
 }
 

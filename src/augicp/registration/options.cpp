@@ -96,6 +96,7 @@ AlignOptions align_options(const Lengths& lengths, bool projective, const Regist
   }
   if (options.lever) align.lever = options.lever;
   if (options.kernel_chi2) align.kernel_chi2 = options.kernel_chi2;
+  align.intensity_weight = options.intensity ? 1.0 : 0.0;
   align.damping = options.damping.value_or(align.damping);
   align.max_iterations = options.max_iterations;
   align.min_translation_step = options.min_step * lengths.extent;

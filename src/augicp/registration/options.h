@@ -50,6 +50,10 @@ struct RegistrationOptions {
   bool coarse_to_fine = true;     // large images are aligned thinned first
   bool rolling_shutter = true;    // what rolling shutters bend is straightened, see ReadoutMotion
 
+  // A third measurement, where both inputs have intensities: their brightness, see objective/intensity.h. At full resolution
+  // only, so that the search and the coarse alignments are as without it.
+  bool intensity = false;
+
   int max_iterations = 50;  // at full resolution
 
   // Steps smaller than this part of the extent, and than this in radians, end the loop. 0: all iterations are made.

@@ -8,6 +8,7 @@
 #include "augicp/registration/coarse_to_fine.h"
 #include "augicp/registration/level.h"
 #include "augicp/surface/ball_neighbourhood.h"
+#include "augicp/surface/intensity_gradient.h"
 #include "augicp/surface/window_surface.h"
 
 namespace augicp {
@@ -42,10 +43,18 @@ void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOpti
   estimate_surface(scan.cloud, neighbourhood, surface_options(options), options.num_threads);
 }
 
+void estimate_intensity_gradients(Scan& scan, const Lengths& lengths, int num_threads) {
+  if (scan.view)
+    estimate_intensity_gradients(scan.cloud, scan.view->index, lengths.radius, num_threads);
+  else
+    estimate_intensity_gradients(scan.cloud, lengths.radius, num_threads);
+}
+
 }  // namespace
 
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
   throw_if_stopped(options.stop);
+  if (!options.intensity) scan.cloud.intensities.clear(), scan.cloud.intensity_gradients.clear();
   // Without extent there are no lengths and no surface: empty, or all points in one place.
   if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
   if (!scan.view) {
@@ -53,9 +62,10 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
-  if (scan.cloud.has_directions()) return scan;
   throw_if_stopped(options.stop);
-  estimate_surface(scan, lengths, options);
+  if (!scan.cloud.has_directions()) estimate_surface(scan, lengths, options);
+  if (scan.cloud.has_intensities() && !scan.cloud.has_intensity_gradients())
+    estimate_intensity_gradients(scan, lengths, options.num_threads);
   return scan;
 }
 

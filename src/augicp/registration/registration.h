@@ -9,7 +9,7 @@
 namespace augicp {
 
 // A scan of extended points: thinned to one point a voxel unless it is an image, directions and structures estimated
-// unless the cloud brought them. May be empty.
+// unless the cloud brought them, and gradients of the intensity where that is to count. May be empty.
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options);
 
 // Finds the motion between two prepared scans. initial_target_from_source is between the clouds' frames.

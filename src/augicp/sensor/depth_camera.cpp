@@ -63,6 +63,22 @@ AUGICP_VECTORIZED void find_row(const DepthCamera& camera, const Pinhole& ideal,
   }
 }
 
+// The values of an image of the camera's as thinned(camera.pinhole, step) would have seen them; NaN outside.
+std::vector<float> rectified(const std::vector<float>& values, int width, int height, const DepthCamera& camera, int step) {
+  const Pinhole seen_by = thinned(camera.pinhole, step);
+  DepthCamera whole = camera;  // whose images' size may be unknown
+  whole.pinhole.width = width, whole.pinhole.height = height;
+  const int num_rows = height / step, num_columns = width / step;
+  std::vector<float> result(static_cast<std::size_t>(num_columns) * num_rows);
+  std::vector<std::int32_t> place(static_cast<std::size_t>(num_columns));
+  float* value = result.data();
+  for (int v = 0; v < num_rows; ++v) {
+    find_row(whole, seen_by, v, num_columns, place.data());
+    for (const std::int32_t from : place) *value++ = from < 0 ? std::numeric_limits<float>::quiet_NaN() : values[from];
+  }
+  return result;
+}
+
 }  // namespace
 
 Eigen::Vector2d Distortion::operator()(const Eigen::Vector2d& ideal) const {
@@ -103,19 +119,15 @@ DepthImage rectify(const DepthImage& image, const DepthCamera& camera, int step)
   camera.check();
   check_size(image, camera.pinhole);
   if (step == 1 && camera.distortion.is_none()) return image;
-  const Pinhole seen_by = thinned(camera.pinhole, step);
-  DepthCamera whole = camera;  // whose images' size may be unknown
-  whole.pinhole.width = image.width, whole.pinhole.height = image.height;
-  DepthImage result{image.width / step, image.height / step, {}};
-  result.depth.resize(static_cast<std::size_t>(result.width) * result.height);
-  std::vector<std::int32_t> place(static_cast<std::size_t>(result.width));
-  float* depth = result.depth.data();
-  for (int v = 0; v < result.height; ++v) {
-    find_row(whole, seen_by, v, result.width, place.data());
-    for (const std::int32_t from : place)
-      *depth++ = from < 0 ? std::numeric_limits<float>::quiet_NaN() : image.depth[from];
-  }
-  return result;
+  return {image.width / step, image.height / step, rectified(image.depth, image.width, image.height, camera, step)};
+}
+
+GreyImage rectify(const GreyImage& image, const DepthCamera& camera, int step) {
+  camera.check();
+  check_size(image);
+  check_size(DepthImage{image.width, image.height, image.value}, camera.pinhole);
+  if (step == 1 && camera.distortion.is_none()) return image;
+  return {image.width / step, image.height / step, rectified(image.value, image.width, image.height, camera, step)};
 }
 
 }  // namespace augicp

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "augicp/sensor/depth_image.h"
+#include "augicp/sensor/grey_image.h"
 
 namespace augicp {
 
@@ -48,5 +49,8 @@ Pinhole thinned(const Pinhole& camera, int step);
 // image that its ray falls on, none outside. Readings are never mixed. Throws std::invalid_argument where the image's
 // size is not the camera's.
 DepthImage rectify(const DepthImage& image, const DepthCamera& camera, int step = 1);
+
+// The same of an image registered to the camera's depth images: each pixel's brightness is that of the pixel its depth came from.
+GreyImage rectify(const GreyImage& image, const DepthCamera& camera, int step = 1);
 
 }  // namespace augicp
