@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "augicp/registration/registration.h"
+#include "augicp/testing/degenerate_families.h"
+#include "augicp/testing/poses.h"
 #include "augicp/testing/rendering.h"
 #include "augicp/testing/scenes.h"
 
@@ -110,6 +112,26 @@ TEST(Degenerate, AWholeRoomHoldsAllAndNamesNothing) {
   const AlignResult result = aligned(room, {}, testing::kKinectSigmaAt1m, 1);
   EXPECT_EQ(result.status, AlignStatus::Converged);
   EXPECT_TRUE(result.free_motions.empty());
+}
+
+// Two drawings of each shape as bare clouds, exact and with noise: the motions named are free, and all that are.
+TEST(Degenerate, BareCloudsOfTwelveShapesNameWhatIsFree) {
+  for (const testing::DegenerateFamily& family : testing::degenerate_families())
+    for (const double noise : {0.0, family.noise}) {
+      std::mt19937 generator(1);
+      const Rigid3 motion = testing::random_motion(generator, 0.03, 0.03);
+      const Cloud target = testing::draw(family, 8000, noise, generator);
+      const Cloud source = transform(testing::draw(family, 8000, noise, generator), inverse(motion));
+      const AlignResult result = register_scans(scan_of(source), scan_of(target));
+      EXPECT_EQ(result.status, AlignStatus::Degenerate) << family.name << " " << noise;
+      ASSERT_EQ(result.free_motions.size(), family.free_motions.size()) << family.name << " " << noise;
+      const Observability& seen = result.observability;
+      std::vector<Vec6d> found;
+      for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(family.free_motions.size()); ++k) found.push_back(seen.directions.col(k));
+      EXPECT_LT(testing::angle_to_free(family, found, seen.gyration, seen.centroid), 5.0 * kDegree) << family.name << " " << noise;
+      const Vec6d left = increment_between(motion, result.target_from_source);
+      EXPECT_LT(testing::held_part(family, left, seen.gyration, seen.centroid), 0.002) << family.name << " " << noise;
+    }
 }
 
 // A screw as a helix would leave it, put together by hand.
