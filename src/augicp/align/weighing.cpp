@@ -68,8 +68,9 @@ Weighing weigh_pairs(const PairChi2& chi2, const AlignOptions& options) {
                              ? *options.kernel_chi2
                              : std::max({kTiny, options.min_kernel_chi2,
                                          options.kernel_per_median * median(total_chi2(chi2, weighing.lever))});
-  weighing.kernel_direction_chi2 =
-      std::max(kTiny, options.kernel_direction_per_median * weighing.lever * weighing.lever * of_direction);
+  if (std::isfinite(options.kernel_direction_per_median))
+    weighing.kernel_direction_chi2 =
+        std::max(kTiny, options.kernel_direction_per_median * weighing.lever * weighing.lever * of_direction);
   return weighing;
 }
 

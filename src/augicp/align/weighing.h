@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "augicp/align/align.h"
 
 namespace augicp {
@@ -9,7 +11,7 @@ namespace augicp {
 struct Weighing {
   double lever = 0.0;        // metres, see with_lever()
   double kernel_chi2 = 0.0;  // K of Eq. (13)
-  double kernel_direction_chi2 = 0.0;  // see Objective
+  double kernel_direction_chi2 = std::numeric_limits<double>::infinity();  // see Objective
 };
 
 // From the parts of chi2 under a lever of 1 m. Medians, so that up to half of the pairs may be wrong.

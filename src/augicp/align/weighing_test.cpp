@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace augicp {
 namespace {
@@ -98,6 +99,14 @@ TEST(Weighing, FixedKernelIsTaken) {
   const Weighing weighing = weigh_pairs(kChi2, options);
   EXPECT_DOUBLE_EQ(weighing.kernel_chi2, 5.0);
   EXPECT_DOUBLE_EQ(weighing.lever, 1.0);
+}
+
+// Perfect directions have a median of zero, and infinity times zero is no kernel.
+TEST(Weighing, WithoutAKernelDirectionsCountInFullHoweverWellTheyFit) {
+  AlignOptions options = options_with(1.0);
+  options.kernel_direction_per_median = std::numeric_limits<double>::infinity();
+  const PairChi2 perfect{{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 0.0f}};
+  EXPECT_EQ(weigh_pairs(perfect, options).kernel_direction_chi2, std::numeric_limits<double>::infinity());
 }
 
 TEST(Weighing, NoDirectionComparedGivesNoLever) {

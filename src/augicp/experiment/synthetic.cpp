@@ -2,6 +2,7 @@
 #include "augicp/experiment/synthetic.h"
 
 #include "augicp/align/damped_step.h"
+#include "augicp/align/weighing.h"
 #include "augicp/core/check.h"
 #include "augicp/experiment/pose_error.h"
 
@@ -11,22 +12,26 @@ namespace {
 // Steps below are lost in the last digits of float points: the pose no longer moves.
 constexpr double kNoStep = 1e-12;
 
-AlignOptions paper_options(Method method, const SyntheticOptions& options) {
+AlignOptions options_for(Method method, const KnownPairs& known, const SyntheticOptions& options) {
   RegistrationOptions registration;
-  registration.preset = Preset::Paper;
+  registration.preset = options.preset;
   registration.method = method;
   registration.kernel_chi2 = options.kernel_chi2;
-  return align_options(Lengths{}, /*projective=*/false, registration);
+  registration.num_threads = options.num_threads;
+  return align_options(derive_lengths(scan_of(known.source), scan_of(known.target)), /*projective=*/false, registration);
 }
 
 // The loop of section 3.3 without its search: the errors of the guess and after each iteration.
 std::vector<PoseError> run_known_pairs(const KnownPairs& known, const AlignOptions& align,
                                        const SyntheticOptions& options) {
-  const Objective objective{with_lever(align.information, *align.lever), *align.kernel_chi2,
-                            std::numeric_limits<double>::infinity()};
   Rigid3 pose;
   std::vector<PoseError> errors{pose_error(pose, known.target_from_source)};
   for (int i = 0; i < options.iterations; ++i) {
+    const PairChi2 chi2 =
+        chi2_of_pairs(known.source, known.target, known.pairs, pose, align.information, options.num_threads);
+    const Weighing weighing = weigh_pairs(chi2, align);
+    const Objective objective{with_lever(align.information, weighing.lever), weighing.kernel_chi2,
+                              weighing.kernel_direction_chi2};
     const NormalEquations equations =
         linearize(known.source, known.target, known.pairs, pose, objective, options.num_threads);
     const Vec6d step = damped_step(equations, align.damping);
@@ -47,7 +52,7 @@ Errors run_corruption(KnownPairsOptions scene, const SyntheticOptions& options, 
     scene.seed = options.first_seed + i;
     const KnownPairs known = make_known_pairs(scene);
     for (std::size_t m = 0; m < options.methods.size(); ++m)
-      errors[m].push_back(run_known_pairs(known, paper_options(options.methods[m], options), options));
+      errors[m].push_back(run_known_pairs(known, options_for(options.methods[m], known, options), options));
     on_run();
   }
   return errors;

@@ -21,7 +21,9 @@ struct SyntheticOptions {
   int iterations = 50;
   unsigned first_seed = 1, num_seeds = 5;  // a scene and a motion each
 
-  // K of Eq. (13) for all methods; not set: the paper preset's.
+  Preset preset = Preset::Paper;
+
+  // K of Eq. (13) for all methods; not set: the preset's.
   std::optional<double> kernel_chi2;
 
   int num_threads = 0;  // 0: all the machine's; the result is the same for any number
@@ -38,7 +40,7 @@ struct SyntheticRow {
   MeanInterval translation, rotation;  // metres, radians
 };
 
-// Every corruption with every method, the identity as guess, the weights of Preset::Paper. on_run is called after each
+// Every corruption with every method, the identity as guess. on_run is called after each
 // num_runs()-th part, from the calling thread.
 std::vector<SyntheticRow> run_synthetic(const SyntheticOptions& options, const std::function<void()>& on_run);
 std::size_t num_runs(const SyntheticOptions& options);
