@@ -28,6 +28,7 @@ max_angle       pairs whose directions differ by more are dropped, radians
 search          other guesses are tried where the given one leads nowhere convincing
 coarse_to_fine, rolling_shutter    see docs/convergence.md
 max_iterations, min_step           the loop's end: a count; a part of the extent, and radians
+intensity       where both clouds have intensities, brightness is compared too
 classifier ("normals", "eigenvalues"), kernel_chi2, lever, damping    instead of the preset's
 
 Returns a Result; bool(result) is True only where both clouds speak for the pose. What the data are like is never an

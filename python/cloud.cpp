@@ -80,6 +80,12 @@ py::object weights(const py::object& self) {
   return view_of(scan.cloud.weights.data(), {static_cast<py::ssize_t>(scan.cloud.weights.size())}, self);
 }
 
+py::object intensities(const py::object& self) {
+  const Scan& scan = self.cast<const Scan&>();
+  if (!scan.cloud.has_intensities()) return py::none();
+  return view_of(scan.cloud.intensities.data(), {static_cast<py::ssize_t>(scan.cloud.intensities.size())}, self);
+}
+
 py::object viewpoint(const Scan& scan) {
   if (!scan.cloud.viewpoint) return py::none();
   return vector_array(Vec3d(scan.cloud.origin + scan.cloud.viewpoint->cast<double>()));
@@ -124,6 +130,8 @@ void bind_arrays(CloudType& type) {
   type.def_property_readonly("structures", &structures,
                              "(N,) uint8, what each direction is: 0 nothing, 1 a normal, 2 a tangent; or None. The "
                              "cloud's own memory, as points_from_origin.");
+  type.def_property_readonly("intensities", &intensities,
+                             "(N,) float32 view, read-only, in the unit of the file, NaN where not known; None: the cloud has none.");
   type.def_property_readonly("weights", &weights,
                              "(N,) float32 in (0, 1], how sure each point is beside the surest; None: all alike. The "
                              "cloud's own memory, as points_from_origin.");

@@ -14,7 +14,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 void require_sound(bool holds) {
   if (!holds) throw std::invalid_argument("not a pickled augicp.Cloud of this version");
@@ -70,18 +70,22 @@ py::tuple state_of(const Scan& scan) {
   if (cloud.viewpoint) viewpoint = py::make_tuple(cloud.viewpoint->x(), cloud.viewpoint->y(), cloud.viewpoint->z());
   return py::make_tuple(kFormat, bytes_of(cloud.points), bytes_of(cloud.directions), bytes_of(cloud.structures),
                         bytes_of(cloud.weights), py::make_tuple(cloud.origin.x(), cloud.origin.y(), cloud.origin.z()),
-                        viewpoint, state_of(scan.view));
+                        viewpoint, state_of(scan.view), bytes_of(cloud.intensities), bytes_of(cloud.intensity_gradients));
 }
 
 std::shared_ptr<Scan> scan_of_state(const py::tuple& state) {
-  require_sound(state.size() == 8 && state[0].cast<int>() == kFormat);
+  require_sound(state.size() == 10 && state[0].cast<int>() == kFormat);
   const auto scan = std::make_shared<Scan>();
   Cloud& cloud = scan->cloud;
   cloud.points = items_of<Vec3f>(state[1]);
   cloud.directions = items_of<Vec3f>(state[2]);
   cloud.structures = items_of<Structure>(state[3]);
   cloud.weights = items_of<float>(state[4]);
+  cloud.intensities = items_of<float>(state[8]);
+  cloud.intensity_gradients = items_of<Vec3f>(state[9]);
   const std::size_t n = cloud.size();
+  require_sound(cloud.intensities.empty() || cloud.intensities.size() == n);
+  require_sound(cloud.intensity_gradients.empty() || cloud.intensity_gradients.size() == n);
   require_sound(cloud.directions.size() == cloud.structures.size());
   require_sound(cloud.directions.empty() || cloud.directions.size() == n);
   require_sound(cloud.weights.empty() || cloud.weights.size() == n);

@@ -22,6 +22,7 @@ const OptionTable<RegistrationOptions>& registration_options() {
       {"search", number<Options>(&Options::search)},
       {"coarse_to_fine", number<Options>(&Options::coarse_to_fine)},
       {"rolling_shutter", number<Options>(&Options::rolling_shutter)},
+      {"intensity", number<Options>(&Options::intensity)},
       {"max_iterations", number<Options>(&Options::max_iterations)},
       {"min_step", number<Options>(&Options::min_step)},
       {"threads", number<Options>(&Options::num_threads)},

@@ -48,6 +48,7 @@ void bind_iteration(py::module_& module) {
   type.def_readonly("cost", &AlignIteration::cost, "What is minimised, before the step.");
   type.def_readonly("kernel_chi2", &AlignIteration::kernel_chi2, "K of the robust kernel.");
   type.def_readonly("lever", &AlignIteration::lever, "How directions weigh against positions, metres; 0: not at all.");
+  type.def_readonly("intensity_information", &AlignIteration::intensity_information, "How brightness weighs; 0: not at all.");
   type.def("__repr__", [](const AlignIteration& iteration) {
     return "<augicp.Iteration " + std::to_string(iteration.num_pairs) + " pairs, cost " + std::to_string(iteration.cost) + ">";
   });
@@ -61,6 +62,8 @@ void bind_numbers(ResultType& type) {
                              "(4, 4) float64: x_in_target = T_target_source @ x_in_source, metres.");
   type.def_property_readonly("iterations", found(&AlignResult::iterations), "Iterations made at full resolution.");
   type.def_property_readonly("num_pairs", found(&AlignResult::num_pairs), "Pairs at the last iteration.");
+  type.def_property_readonly("num_intensity_pairs", found(&AlignResult::num_intensity_pairs),
+                             "Of these, those compared by their brightness; 0: the clouds have none, or intensity is off.");
   type.def_property_readonly("overlap", found(&AlignResult::overlap), "Share of source points with a partner, 0 to 1.");
   type.def_property_readonly("rmse", found(&AlignResult::rmse), "Of the distances within the final pairs, metres.");
   type.def_property_readonly("covariance", &covariance,

@@ -19,7 +19,7 @@ VerdictPair pair_with(PairTruth truth, AlignStatus status, double conflicting) {
 }
 
 const std::vector<VerdictPair> kPairs{pair_with(PairTruth::Right, AlignStatus::Converged, 0.01),
-                                      pair_with(PairTruth::Right, AlignStatus::Doubtful, 0.05),
+                                      pair_with(PairTruth::Right, AlignStatus::Doubtful, 0.06),
                                       pair_with(PairTruth::Wrong, AlignStatus::Doubtful, 0.08),
                                       pair_with(PairTruth::Apart, AlignStatus::Doubtful, 0.16)};
 
@@ -42,8 +42,9 @@ TEST(VerdictExperiment, RocRunsFromNothingToEverything) {
   EXPECT_EQ(points.back().right_refused, 0.0);
   EXPECT_EQ(points.back().wrong_accepted, 1.0);
   for (const RocPoint& point : points) {
-    EXPECT_EQ(point.right_refused, point.max_strain < 0.25 ? 1.0 : point.max_strain < 1.25 ? 0.5 : 0.0) << point.max_strain;
-    EXPECT_EQ(point.apart_accepted, point.max_strain < 4.0 ? 0.0 : 1.0) << point.max_strain;
+    const auto share_beyond = [&](std::size_t pair) { return strain(*kPairs[pair].evidence) > point.max_strain ? 1.0 : 0.0; };
+    EXPECT_EQ(point.right_refused, 0.5 * (share_beyond(0) + share_beyond(1))) << point.max_strain;
+    EXPECT_EQ(point.apart_accepted, 1.0 - share_beyond(3)) << point.max_strain;
   }
 }
 
