@@ -24,14 +24,6 @@ constexpr double kMinOverlap = 0.02;
 // Medians are known well enough from this many pairs, taken evenly from all.
 constexpr std::size_t kTypicalPairs = 8192;
 
-std::vector<Correspondence> typical_of(const std::vector<Correspondence>& pairs) {
-  const std::size_t step = (pairs.size() + kTypicalPairs - 1) / kTypicalPairs;
-  std::vector<Correspondence> chosen;
-  chosen.reserve(kTypicalPairs);
-  for (std::size_t k = 0; k < pairs.size(); k += step) chosen.push_back(pairs[k]);
-  return chosen;
-}
-
 std::vector<float> squared_distances(const Cloud& source, const Cloud& target, const std::vector<Correspondence>& pairs,
                                      const Rigid3& pose, int num_threads) {
   const Eigen::Matrix3f rotation = pose.rotation.toRotationMatrix().cast<float>();
@@ -96,7 +88,7 @@ bool has_enough_pairs(const Cloud& source, const Cloud& target, AlignResult& res
 }
 
 void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose, const AlignOptions& options, Pass& pass) {
-  pass.typical = typical_of(pass.pairs);
+  pass.typical = evenly_chosen(pass.pairs, kTypicalPairs);
   const PairChi2 chi2 = chi2_of_pairs(source, target, pass.typical, pose, options.information, options.num_threads);
   pass.weighing = weigh_pairs(chi2, options);
   pass.objective = {with_lever(options.information, pass.weighing.lever), pass.weighing.kernel_chi2,

@@ -60,9 +60,8 @@ std::vector<Correspondence> beyond_intensity_kernel(const Cloud& source, const C
 // The loss of a pair beyond the kernel bends the other way.
 Mat6d curvature(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                 const Rigid3& target_from_source, const Objective& objective, const Mat6d& H) {
-  const std::size_t step = (pairs.size() + kNumAsked - 1) / kNumAsked;
-  std::vector<Correspondence> asked, beyond;
-  for (std::size_t k = 0; k < pairs.size(); k += step) asked.push_back(pairs[k]);
+  const std::vector<Correspondence> asked = evenly_chosen(pairs, kNumAsked);
+  std::vector<Correspondence> beyond;
   const PairChi2 chi2 = chi2_of_pairs(source, target, asked, target_from_source, objective.information, 1);
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const double direction = std::min(static_cast<double>(std::max(chi2.direction[k], 0.0f)), objective.kernel_direction_chi2);
@@ -75,7 +74,8 @@ Mat6d curvature(const Cloud& source, const Cloud& target, std::span<const Corres
     const auto shining = beyond_intensity_kernel(source, target, asked, target_from_source, model);
     other_way += linearize_intensity(source, target, shining, target_from_source, model, 1).H;
   }
-  return H - 2.0 * static_cast<double>(step) * other_way;
+  const double pairs_per_asked = static_cast<double>(pairs.size()) / static_cast<double>(asked.size());
+  return H - 2.0 * pairs_per_asked * other_way;
 }
 
 }  // namespace

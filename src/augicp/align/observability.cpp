@@ -66,13 +66,6 @@ Mat6d increment_from_scaled(const Spread& spread) {
 // So many pairs, taken evenly from all, tell the information to a hundredth.
 constexpr std::size_t kNumAsked = 8192;
 
-std::vector<Correspondence> asked_of(std::span<const Correspondence> pairs) {
-  const std::size_t step = (pairs.size() + kNumAsked - 1) / kNumAsked;
-  std::vector<Correspondence> asked;
-  for (std::size_t k = 0; k < pairs.size(); k += step) asked.push_back(pairs[k]);
-  return asked;
-}
-
 // How a point holds motions by the information of its own surface: J^T Omega, with J that of a motion about the centroid.
 using Hold = Eigen::Matrix<double, 6, 3>;
 Hold hold_of(const Information& information, const Vec3d& direction, const Vec3d& place, const Spread& spread) {
@@ -132,7 +125,7 @@ Mat6d held_by(const Cloud& source, const Cloud& target, std::span<const Correspo
 Observability observability(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                             const Rigid3& target_from_source, const Objective& objective) {
   if (pairs.empty()) return {};
-  const std::vector<Correspondence> asked = asked_of(pairs);
+  const std::vector<Correspondence> asked = evenly_chosen(pairs, kNumAsked);
   const Spread spread = spread_of(target, asked);
   if (!(spread.gyration > 0.0)) return {};
   const Mat6d change = increment_from_scaled(spread);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace augicp {
 
@@ -11,5 +14,13 @@ struct Correspondence {
   std::uint32_t target = 0;
   bool operator==(const Correspondence&) const = default;
 };
+
+// At most max_count of the pairs, at even distances in their order: enough for medians and means.
+inline std::vector<Correspondence> evenly_chosen(std::span<const Correspondence> pairs, std::size_t max_count) {
+  const std::size_t step = (pairs.size() + max_count - 1) / max_count;
+  std::vector<Correspondence> chosen;
+  for (std::size_t k = 0; k < pairs.size(); k += step) chosen.push_back(pairs[k]);
+  return chosen;
+}
 
 }  // namespace augicp

@@ -46,6 +46,17 @@ TEST(Search, CloudsMeetFromFarther) {
   }
 }
 
+// Turned by half a right angle and moved aside, lines of sight lead nowhere: only what nearest points pulled together does.
+TEST(Search, ImagesAreFoundFromAside) {
+  const Pair pair = room_pair(0.1);
+  for (const Rigid3& off : {Rigid3{rotation_exp({0.58, -0.64, 0.27}), {-0.4, 0.3, -0.3}},
+                            Rigid3{rotation_exp({-0.35, -0.2, 0.8}), {-0.55, 0.1, -0.15}},
+                            Rigid3{rotation_exp({0.43, 0.8, -0.04}), {0.0, -0.8, -0.9}}})
+    EXPECT_THAT(register_scans(pair.source, pair.target, pair.target_from_source * off).target_from_source,
+                NearPose(pair.target_from_source, 0.02, 0.05))
+        << off.translation.transpose();
+}
+
 // A good guess stays what it is worth.
 TEST(Search, AGoodGuessIsNotMadeWorse) {
   const Pair pair = room_pair(0.1);
