@@ -57,18 +57,18 @@ bool is_small(const Vec6d& step, const AlignOptions& options) {
   return step.head<3>().norm() < options.min_translation_step && step.tail<3>().norm() < options.min_rotation_step;
 }
 
-// Pairs change by leaps, so that a loop may end up going round a few poses for ever. It is where it will get to when it is
-// back at one of the last ones.
+// Pairs change by leaps, so that a loop may end up going round a few poses for ever. It is where it will get to when it
+// is back at one of the last ones.
 bool has_returned(const Rigid3& pose, const std::vector<Rigid3>& visited, const AlignOptions& options) {
   constexpr std::size_t kLongestCycle = 8;
   const std::size_t count = std::min(kLongestCycle, visited.size());
-  return std::any_of(visited.end() - static_cast<std::ptrdiff_t>(count), visited.end(), [&](const Rigid3& earlier) {
-    return is_small(increment_between(earlier, pose), options);
-  });
+  return std::any_of(visited.end() - static_cast<std::ptrdiff_t>(count), visited.end(),
+                     [&](const Rigid3& earlier) { return is_small(increment_between(earlier, pose), options); });
 }
 
 // One pass of the loop of section 3.3, from a pose to its step; everything but the points themselves.
 struct Pass {
+  Gates gates;
   std::vector<Correspondence> pairs;
   std::vector<Correspondence> typical;  // some of these
   Weighing weighing;
@@ -87,7 +87,8 @@ bool has_enough_pairs(const Cloud& source, const Cloud& target, AlignResult& res
   return result.status == AlignStatus::IterationLimit;
 }
 
-void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose, const AlignOptions& options, Pass& pass) {
+void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose, const AlignOptions& options,
+                    Pass& pass) {
   pass.typical = evenly_chosen(pass.pairs, kTypicalPairs);
   const PairChi2 chi2 = chi2_of_pairs(source, target, pass.typical, pose, options.information, options.num_threads);
   pass.weighing = weigh_pairs(chi2, options);
@@ -98,18 +99,19 @@ void linearize_pass(const Cloud& source, const Cloud& target, const Rigid3& pose
 }
 
 // A pose was reached; is every direction of it held by the pairs it came from?
-void judge_observability(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass,
+void judge_observability(const Cloud& source, const Matcher& matcher, const Rigid3& pose, const Pass& pass,
                          const AlignOptions& options, AlignResult& result) {
-  result.observability = observability(source, target, pass.pairs, pose, pass.objective);
+  result.observability = observability(source, matcher.target(), pass.pairs, pose, pass.objective);
   if (result.observability.weakest() < options.min_observability)
     result.status = AlignStatus::Degenerate;
   else if (options.correlation_length > 0.0)
-    result.covariance = covariance(source, target, pass.pairs, pose, pass.objective, pass.equations, options.correlation_length);
+    result.covariance = covariance(source, matcher, {pose, pass.gates, pass.pairs, pass.objective},
+                                   options.correlation_length, result.observability.gyration);
 }
 
 // The step that leaves the num_free weakest directions of this iteration alone.
-Vec6d step_of(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass, const AlignOptions& options,
-              int num_free) {
+Vec6d step_of(const Cloud& source, const Cloud& target, const Rigid3& pose, const Pass& pass,
+              const AlignOptions& options, int num_free) {
   if (num_free == 0) return damped_step(pass.equations, options.damping);
   const Observability now = observability(source, target, pass.pairs, pose, pass.objective);
   return held_step(pass.equations, options.damping, now, num_free);
@@ -139,7 +141,8 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   options.check();
   if (!(options.intensity_weight > 0.0) || !compares_intensities(source, matcher.target()))
     return run_held(source, matcher, initial_target_from_source, options);
-  // A gradient holds for as far as the points it came from, and from farther away brightness leads anywhere: shape comes first.
+  // A gradient holds for as far as the points it came from, and from farther away brightness leads anywhere: shape
+  // comes first.
   AlignOptions by_shape = options;
   by_shape.intensity_weight = by_shape.correlation_length = 0.0;
   AlignResult shape = run_held(source, matcher, initial_target_from_source, by_shape);
@@ -160,11 +163,11 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
   result.status = AlignStatus::IterationLimit;
   Rigid3 pose = without_origins(initial_target_from_source, source, target);
   Pass pass;
-  Gates gates = options.gates;
+  pass.gates = options.gates;
   std::vector<Rigid3> visited;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
     throw_if_stopped(options.stop);
-    pass.pairs = matcher.match(source, pose, gates, options.num_threads);
+    pass.pairs = matcher.match(source, pose, pass.gates, options.num_threads);
     result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
     if (!has_enough_pairs(source, target, result)) break;
     linearize_pass(source, target, pose, options, pass);
@@ -174,19 +177,19 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
       break;
     }
     pose = retract(pose, step);
-    gates.max_distance = closed_gate(gates.max_distance, source, target, pass.typical, pose, options);
+    pass.gates.max_distance = closed_gate(pass.gates.max_distance, source, target, pass.typical, pose, options);
     ++result.iterations;
     result.information = pass.equations.H;
     result.num_intensity_pairs = pass.equations.num_intensity_pairs;
     result.history.push_back({with_origins(pose, source, target), result.num_pairs, pass.equations.cost,
-                              pass.weighing.kernel_chi2, pass.weighing.lever,
-                              pass.objective.intensity.information});
+                              pass.weighing.kernel_chi2, pass.weighing.lever, pass.objective.intensity.information});
     if (is_small(step, options) || has_returned(pose, visited, options)) result.status = AlignStatus::Converged;
     visited.push_back(pose);
   }
   result.target_from_source = with_origins(pose, source, target);
-  if (result.iterations > 0) result.rmse = root_mean(squared_distances(source, target, pass.pairs, pose, options.num_threads));
-  if (has_pose(result.status)) judge_observability(source, target, pose, pass, options, result);
+  if (result.iterations > 0)
+    result.rmse = root_mean(squared_distances(source, target, pass.pairs, pose, options.num_threads));
+  if (has_pose(result.status)) judge_observability(source, matcher, pose, pass, options, result);
   return result;
 }
 

@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "augicp/cloud/voxel_grid.h"
+#include "augicp/geometry/rigid3.h"
+
 namespace augicp {
 namespace {
 
@@ -15,7 +18,9 @@ namespace {
 constexpr std::size_t kNumBuckets = 4096;
 
 std::size_t bucket_of(const Vec3f& point, float cells_per_metre) {
-  const auto cell = [&](int axis) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(point[axis] * cells_per_metre))); };
+  const auto cell = [&](int axis) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(point[axis] * cells_per_metre)));
+  };
   std::uint32_t hash = cell(0) * 73856093u ^ cell(1) * 19349663u ^ cell(2) * 83492791u;
   hash ^= hash >> 15;
   return (hash * 2654435761u >> 16) % kNumBuckets;
@@ -41,66 +46,67 @@ Buckets in_buckets(const Cloud& target, std::span<const Correspondence> pairs, d
   return sorted;
 }
 
-// So many pairs tell which part of them lies beyond the kernel.
-constexpr std::size_t kNumAsked = 16384;
+// So many source points tell the curvature to a few hundredths.
+constexpr std::size_t kNumAsked = 4096;
 
-// Those whose part of the intensity lies beyond its kernel.
-std::vector<Correspondence> beyond_intensity_kernel(const Cloud& source, const Cloud& target,
-                                                    const std::vector<Correspondence>& asked,
-                                                    const Rigid3& target_from_source, const IntensityModel& model) {
-  const std::vector<float> residuals = intensity_residuals(source, target, asked, target_from_source, 1);
-  std::vector<Correspondence> beyond;
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const double r = static_cast<double>(residuals[k]) - model.offset;  // NaN where they are not compared
-    if (model.information * r * r > model.kernel_chi2) beyond.push_back(asked[k]);
-  }
-  return beyond;
+// Small against the ball from which a point's direction comes, large against the leaps of single pairs.
+constexpr double kStepPerLength = 0.05;
+
+Cloud asked_of(const Cloud& source) {
+  const std::size_t step = (source.size() + kNumAsked - 1) / kNumAsked;
+  std::vector<std::uint32_t> asked;
+  for (std::size_t i = 0; i < source.size(); i += step) asked.push_back(static_cast<std::uint32_t>(i));
+  return select(source, asked);
 }
 
-// The loss of a pair beyond the kernel bends the other way.
-Mat6d curvature(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                const Rigid3& target_from_source, const Objective& objective, const Mat6d& H) {
-  const std::vector<Correspondence> asked = evenly_chosen(pairs, kNumAsked);
-  std::vector<Correspondence> beyond;
-  const PairChi2 chi2 = chi2_of_pairs(source, target, asked, target_from_source, objective.information, 1);
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const double direction = std::min(static_cast<double>(std::max(chi2.direction[k], 0.0f)), objective.kernel_direction_chi2);
-    if (static_cast<double>(chi2.position[k]) + direction > objective.kernel_chi2) beyond.push_back(asked[k]);
+// How the gradient changes with the pose, by central differences of a step in each direction: with the pairs each pose
+// finds.
+Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, double step, double gyration) {
+  const Cloud asked = asked_of(source);
+  const auto gradient = [&](int axis, double by) -> Vec6d {
+    const Rigid3 pose = retract(solution.target_from_source, by * Vec6d::Unit(axis));
+    const auto pairs = matcher.match(asked, pose, solution.gates, 1);
+    return linearize(asked, matcher.target(), pairs, pose, solution.objective, 1).b;
+  };
+  Mat6d A;
+  for (int axis = 0; axis < 6; ++axis) {
+    const double by = axis < 3 ? step : step / gyration;
+    A.col(axis) = (gradient(axis, by) - gradient(axis, -by)) / (2.0 * by);
   }
-  Objective without_intensity = objective;
-  without_intensity.intensity = {};
-  Mat6d other_way = linearize(source, target, beyond, target_from_source, without_intensity, 1).H;
-  if (const IntensityModel& model = objective.intensity; model.information > 0.0) {
-    const auto shining = beyond_intensity_kernel(source, target, asked, target_from_source, model);
-    other_way += linearize_intensity(source, target, shining, target_from_source, model, 1).H;
-  }
-  const double pairs_per_asked = static_cast<double>(pairs.size()) / static_cast<double>(asked.size());
-  return H - 2.0 * pairs_per_asked * other_way;
+  const double points_per_asked = static_cast<double>(source.size()) / static_cast<double>(asked.size());
+  return 0.5 * points_per_asked * (A + A.transpose());
 }
 
-}  // namespace
-
-Mat6d covariance(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                 const Rigid3& target_from_source, const Objective& objective, const NormalEquations& equations,
-                 double correlation_length) {
-  if (pairs.empty()) return Mat6d::Zero();
-  const Buckets buckets = in_buckets(target, pairs, correlation_length);
+// The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for
+// that.
+std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution,
+                                         double cell_size) {
+  const Buckets buckets = in_buckets(target, solution.pairs, cell_size);
   const std::span<const Correspondence> sorted(buckets.pairs);
   Mat6d M = Mat6d::Zero();
   int num_cells = 0;
   for (std::size_t b = 0; b < kNumBuckets; ++b) {
     const auto of_cell = sorted.subspan(buckets.begin[b], buckets.begin[b + 1] - buckets.begin[b]);
     if (of_cell.empty()) continue;
-    const Vec6d g = linearize(source, target, of_cell, target_from_source, objective, 1).b;
+    const Vec6d g = linearize(source, target, of_cell, solution.target_from_source, solution.objective, 1).b;
     M += g * g.transpose();
     ++num_cells;
   }
-  const Eigen::LDLT<Mat6d> solver(
-      curvature(source, target, pairs, target_from_source, objective, equations.H));
-  if (num_cells <= 6 || !solver.isPositive() || !(solver.vectorD().minCoeff() > 0.0)) return Mat6d::Zero();
-  const Mat6d half = solver.solve(M);  // A^-1 M, whose transpose is M A^-1
-  const Mat6d both = solver.solve(Mat6d(half.transpose()));
-  return 0.5 * static_cast<double>(num_cells) / static_cast<double>(num_cells - 6) * (both + both.transpose());
+  if (num_cells <= 6) return std::nullopt;
+  return static_cast<double>(num_cells) / static_cast<double>(num_cells - 6) * M;
+}
+
+}  // namespace
+
+std::optional<Mat6d> covariance(const Cloud& source, const Matcher& matcher, const Solution& solution,
+                                double correlation_length, double gyration) {
+  const auto M = spread_of_gradients(source, matcher.target(), solution, correlation_length);
+  if (!M) return std::nullopt;
+  const Eigen::LDLT<Mat6d> A(curvature(source, matcher, solution, kStepPerLength * correlation_length, gyration));
+  if (A.info() != Eigen::Success || !(A.vectorD().minCoeff() > 0.0)) return std::nullopt;
+  const Mat6d half = A.solve(*M);  // A^-1 M, whose transpose is M A^-1
+  const Mat6d both = A.solve(Mat6d(half.transpose()));
+  return 0.5 * (both + both.transpose());
 }
 
 }  // namespace augicp
