@@ -56,6 +56,9 @@ void bind_evidence(py::module_& module) {
   type.def_readonly("source_in_target", &Evidence::source_in_target, "What the target says of the source: a Testimony.");
   type.def_readonly("target_in_source", &Evidence::target_in_source, "What the source says of the target: a Testimony.");
   type.def_readonly("residuals", &Evidence::residuals, "Residuals of the final pairs.");
+  type.def_readonly("beyond_planes", &Evidence::beyond_planes,
+                    "Of what agrees: the share from 0 to 1 off the three planes that hold the most of it.");
+  type.def_readonly("moved", &Evidence::moved, "How far the pose moved the source from the guess, by its radius of gyration.");
   type.def_property_readonly("strain", [](const Evidence& evidence) { return strain(evidence); },
                              "The largest part of what is allowed; above 1 the pose is doubted.");
 }

@@ -45,9 +45,9 @@ void bind_words(py::module_& module) {
       "one, the others failed. docs/verdict.md says more.",
       names_up_to(AlignStatus::Doubtful));
   add(module, "Doubt",
-      "Why a pose is doubted: too few points in reach of the other cloud, too few of them on its surface, or too many "
-      "where its camera saw through.",
-      names_up_to(Doubt::FreeSpace));
+      "Why a pose is doubted: too few points in reach of the other cloud, too few of them on its surface, too many "
+      "where its camera saw through, or nothing but bare planes far from the guess.",
+      names_up_to(Doubt::BarePlanes));
   add(module, "MotionKind", "A motion that the data leave open: along an axis, about it, or both at once.",
       names_up_to(FreeMotion::Kind::Screw));
   add(module, "FrameStatus",

@@ -258,6 +258,9 @@ class CommandTest(unittest.TestCase):
         with open(output / "frames.csv", newline="", encoding="utf-8") as rows:
             frames = list(csv.DictReader(rows))
         self.assertEqual([row["status"] for row in frames], ["started"] + 11 * ["tracked"])
+        for row in frames[1:]:
+            self.assertGreater(float(row["strain"]), 0.0)
+            self.assertLess(float(row["strain"]), 1.0)
         # What the metrics say of the trajectory is what evaluate says of the file.
         finished = run("evaluate", output / "trajectory.txt", DESK.parent / "groundtruth.txt", "--json", "-")
         self.assertEqual(json.loads(finished.stdout)["ate_aligned"], metrics["evaluation"]["ate_aligned"])

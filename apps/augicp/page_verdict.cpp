@@ -27,6 +27,10 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
     case Doubt::FreeSpace:
       return fmt::format("{:.1f} % and {:.1f} % lie where the other's camera saw through; at most {:.0f} % may.",
                          100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting);
+    case Doubt::BarePlanes:
+      return fmt::format("Only {:.1f} % of what agrees lies off three bare planes, which fit any other three, and the guess "
+                         "was {:.1f} radii of gyration away.",
+                         100.0 * evidence.beyond_planes, evidence.moved);
   }
   return {};
 }

@@ -63,13 +63,13 @@ Trajectory trajectory_of(const OdometryRun& run) {
 }
 
 std::string frames_csv(const OdometryRun& run) {
-  std::string text = "frame,stamp_s,image,status,segment,keyframe,registration,pairs,iterations,overlap,rmse,time_ms,problem\n";
+  std::string text = "frame,stamp_s,image,status,segment,keyframe,registration,pairs,iterations,overlap,rmse,strain,time_ms,problem\n";
   for (const FrameRow& row : run.rows) {
     const FrameReport& report = row.report;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.3f},{}\n", row.frame, report.stamp_s,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.4g},{:.3f},{}\n", row.frame, report.stamp_s,
                         in_csv(row.image.filename().string()), name_of(report.status), report.segment,
                         report.is_keyframe ? 1 : 0, report.registration ? name_of(*report.registration) : "", report.num_pairs,
-                        report.iterations, report.overlap, report.rmse, row.time_ms, in_csv(report.problem));
+                        report.iterations, report.overlap, report.rmse, report.strain, row.time_ms, in_csv(report.problem));
   }
   return text;
 }

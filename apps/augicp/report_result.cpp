@@ -86,6 +86,8 @@ nlohmann::ordered_json evidence_json(const AlignResult& result) {
           {"doubts", doubts},
           {"source_in_target", testimony_json(evidence.source_in_target)},
           {"target_in_source", testimony_json(evidence.target_in_source)},
+          {"beyond_planes", evidence.beyond_planes},
+          {"moved", evidence.moved},
           {"residuals",
            {{"point", statistics_json(evidence.residuals.point)},
             {"normal", statistics_json(evidence.residuals.normal)},

@@ -19,7 +19,7 @@ std::string verdict_csv(std::span<const VerdictPair> pairs) {
   std::string text =
       "target_sequence,target,source_sequence,source,truth,status,without_verdict,true_overlap,translation_error_m,"
       "rotation_error_deg,strain,seen_1,agreeing_1,conflicting_1,seen_2,agreeing_2,conflicting_2,point_residual_m,"
-      "normal_residual_deg,last_step,last_rotation_step,observability\n";
+      "normal_residual_deg,last_step,last_rotation_step,observability,beyond_planes,moved,nees\n";
   constexpr double kDegree = 180.0 / std::numbers::pi;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const VerdictPair& pair : pairs) {
@@ -29,9 +29,9 @@ std::string verdict_csv(std::span<const VerdictPair> pairs) {
                         name_of(pair.without_verdict), pair.true_overlap, pair.error ? pair.error->translation : nan,
                         pair.error ? pair.error->rotation * kDegree : nan, pair.evidence ? strain(evidence) : nan);
     text += testimony_csv(evidence.source_in_target) + testimony_csv(evidence.target_in_source);
-    text += fmt::format(",{:.6f},{:.4f},{:.3e},{:.3e},{:.3e}\n", evidence.residuals.point.median,
+    text += fmt::format(",{:.6f},{:.4f},{:.3e},{:.3e},{:.3e},{:.4f},{:.4f},{:.4g}\n", evidence.residuals.point.median,
                         evidence.residuals.normal.median * kDegree, evidence.last_step, evidence.last_rotation_step,
-                        evidence.observability);
+                        evidence.observability, evidence.beyond_planes, evidence.moved, pair.nees.value_or(nan));
   }
   return text;
 }

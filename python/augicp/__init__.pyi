@@ -38,6 +38,7 @@ class Doubt(str, enum.Enum):
     LITTLE_SEEN = "little_seen"
     DISAGREEMENT = "disagreement"
     FREE_SPACE = "free_space"
+    BARE_PLANES = "bare_planes"
 
 class MotionKind(str, enum.Enum):
     TRANSLATION = "translation"
@@ -156,6 +157,10 @@ class Evidence:
     def target_in_source(self) -> Testimony: ...
     @property
     def residuals(self) -> Residuals: ...
+    @property
+    def beyond_planes(self) -> float: ...
+    @property
+    def moved(self) -> float: ...
     @property
     def strain(self) -> float: ...
 

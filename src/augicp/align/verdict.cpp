@@ -20,18 +20,19 @@ void require_share(const char* name, double value) {
   require(value >= 0.0 && value < 1.0, name, value, "must be from 0 to below 1");
 }
 
-// Each doubt's part of what is allowed, in the order of the enumeration.
+// What one cloud's testimony has of what is allowed, in the order of the enumeration of doubts.
 std::array<double, 3> strains(const Testimony& testimony, const VerdictLimits& limits) {
-  const double min_agreeing =
-      testimony.knows_free_space ? limits.min_agreeing : limits.min_agreeing_without_camera;
+  const double min_agreeing = testimony.knows_free_space ? limits.min_agreeing : limits.min_agreeing_without_camera;
   return {(1.0 - testimony.margin()) / (1.0 - limits.min_margin), (1.0 - testimony.agreeing()) / (1.0 - min_agreeing),
           testimony.conflicting() / limits.max_conflicting};
 }
 
 // Of both sides: what one cloud says against the pose the other cannot make good.
-std::array<double, 3> strains(const Evidence& evidence, const VerdictLimits& limits) {
+std::array<double, 4> strains(const Evidence& evidence, const VerdictLimits& limits) {
   const auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
-  return {std::max(one[0], other[0]), std::max(one[1], other[1]), std::max(one[2], other[2])};
+  const bool is_bare = evidence.beyond_planes < limits.min_beyond_planes;
+  return {std::max(one[0], other[0]), std::max(one[1], other[1]), std::max(one[2], other[2]),
+          is_bare ? evidence.moved / limits.max_moved_on_planes : 0.0};
 }
 
 }  // namespace
@@ -46,12 +47,14 @@ void VerdictLimits::check() const {
   require_share("min_agreeing", min_agreeing);
   require_share("min_agreeing_without_camera", min_agreeing_without_camera);
   require_positive("max_conflicting", max_conflicting);
+  require_share("min_beyond_planes", min_beyond_planes);
+  require_positive("max_moved_on_planes", max_moved_on_planes);
   require_not_negative("max_last_step", max_last_step);
   require_not_negative("max_last_rotation_step", max_last_rotation_step);
 }
 
 std::string_view name_of(Doubt doubt) {
-  constexpr std::array<std::string_view, 3> kNames{"little_seen", "disagreement", "free_space"};
+  constexpr std::array<std::string_view, 4> kNames{"little_seen", "disagreement", "free_space", "bare_planes"};
   return kNames[static_cast<std::size_t>(doubt)];
 }
 

@@ -52,6 +52,18 @@ TEST(Verdict, TheLessIsSeenTheBetterItMustAgree) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
+// Three bare planes fit any other three: there the guess must have been near. What else agrees makes up for a far one.
+TEST(Verdict, BarePlanesAreTrustedNearTheGuessOnly) {
+  Evidence evidence = good_evidence();
+  evidence.moved = 2.0;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  evidence.beyond_planes = 0.002;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::BarePlanes});
+  EXPECT_GT(strain(evidence), 1.0);
+  evidence.moved = 0.1;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+}
+
 TEST(Verdict, WithoutACameraMoreMustAgree) {
   Evidence evidence = good_evidence();
   evidence.source_in_target.count = {.agree = 498, .differ = 102, .unseen = 400};

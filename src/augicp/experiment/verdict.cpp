@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/experiment/verdict.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,6 +43,13 @@ double overlap_of(const Scan& source, const Scan& target, const Rigid3& target_f
   return count.total() > 0 ? static_cast<double>(count.agree) / static_cast<double>(count.total()) : 0.0;
 }
 
+// Frames of depth images have their origins at zero, as the covariance asks for.
+std::optional<double> nees(const AlignResult& result, const Rigid3& truth) {
+  if (!result.covariance) return std::nullopt;
+  const Vec6d error = increment_between(truth, result.target_from_source);
+  return error.dot(result.covariance->ldlt().solve(error)) / 6.0;
+}
+
 PairTruth truth_of(const VerdictPair& pair, const VerdictOptions& options) {
   if (!pair.error || pair.true_overlap < kNoOverlap) return PairTruth::Apart;
   const PoseError twice{2.0 * options.right.translation, 2.0 * options.right.rotation};
@@ -61,9 +69,8 @@ std::optional<Rigid3> true_motion(const VerdictSequence& in, std::size_t target,
 
 void register_pair(const Scan& source, const Scan& target, const std::optional<Rigid3>& truth,
                    const VerdictOptions& options, VerdictPair& pair) {
-  const AlignResult result = options.as_clouds
-                                 ? register_scans(bare(source), bare(target), {}, options.registration)
-                                 : register_scans(source, target, {}, options.registration);
+  const AlignResult result = options.as_clouds ? register_scans(bare(source), bare(target), {}, options.registration)
+                                               : register_scans(source, target, {}, options.registration);
   pair.status = result.status;
   pair.evidence = result.evidence;
   const bool ended = static_cast<int>(result.history.size()) < options.registration.max_iterations;
@@ -71,6 +78,7 @@ void register_pair(const Scan& source, const Scan& target, const std::optional<R
   pair.without_verdict = !by_verdict ? result.status : ended ? AlignStatus::Converged : AlignStatus::IterationLimit;
   if (truth) {
     pair.error = pose_error(result.target_from_source, *truth);
+    pair.nees = nees(result, *truth);
     pair.true_overlap = overlap_of(source, target, *truth);
   }
   pair.truth = truth_of(pair, options);
@@ -97,14 +105,17 @@ VerdictPair pair_of(const VerdictSequence& target, std::size_t target_frame, con
 
 VerdictPair pair_across(std::span<const VerdictSequence> sequences, const VerdictOptions& options,
                         std::mt19937& generator) {
-  const auto draw = [&](std::size_t count) { return static_cast<std::size_t>(uniform(generator, 0.0, static_cast<double>(count))); };
+  const auto draw = [&](std::size_t count) {
+    return static_cast<std::size_t>(uniform(generator, 0.0, static_cast<double>(count)));
+  };
   const std::size_t to = draw(sequences.size());
   const std::size_t from = (to + 1 + draw(sequences.size() - 1)) % sequences.size();
   const VerdictSequence &target = sequences[to], &source = sequences[from];
-  const std::size_t target_frame = draw(target.sequence.frames.size()), source_frame = draw(source.sequence.frames.size());
+  const std::size_t target_frame = draw(target.sequence.frames.size()),
+                    source_frame = draw(source.sequence.frames.size());
   VerdictPair pair = pair_of(target, target_frame, source, source_frame);
-  register_pair(read_frame(source, pair.source, options.pixel_step), read_frame(target, pair.target, options.pixel_step),
-                std::nullopt, options, pair);
+  register_pair(read_frame(source, pair.source, options.pixel_step),
+                read_frame(target, pair.target, options.pixel_step), std::nullopt, options, pair);
   return pair;
 }
 
@@ -115,8 +126,7 @@ double part(std::size_t count, std::size_t whole) {
 // Accepted when the strain may be larger: the status is Converged, or Doubtful of a loop that had settled.
 double least_strain_accepting(const VerdictPair& pair) {
   const bool may_be = pair.status == AlignStatus::Converged || pair.status == AlignStatus::Doubtful;
-  const bool settled =
-      pair.evidence && (pair.without_verdict == AlignStatus::Converged || has_settled(*pair.evidence));
+  const bool settled = pair.evidence && (pair.without_verdict == AlignStatus::Converged || has_settled(*pair.evidence));
   return may_be && settled ? strain(*pair.evidence) : std::numeric_limits<double>::infinity();
 }
 
@@ -179,10 +189,12 @@ std::vector<ConfusionRow> confusion(std::span<const VerdictPair> pairs) {
 
 std::vector<RocPoint> roc(std::span<const VerdictPair> pairs) {
   std::array<std::vector<double>, 5> least;  // of each truth
-  for (const VerdictPair& pair : pairs) least[static_cast<std::size_t>(pair.truth)].push_back(least_strain_accepting(pair));
+  for (const VerdictPair& pair : pairs)
+    least[static_cast<std::size_t>(pair.truth)].push_back(least_strain_accepting(pair));
   const auto accepted = [&](PairTruth truth, double limit) {
     const std::vector<double>& all = least[static_cast<std::size_t>(truth)];
-    return part(static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](double s) { return s <= limit; })), all.size());
+    return part(static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](double s) { return s <= limit; })),
+                all.size());
   };
   std::vector<RocPoint> points;
   for (double limit = 0.05; limit < 12.0; limit *= 1.05)

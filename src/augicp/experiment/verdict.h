@@ -49,10 +49,10 @@ struct VerdictOptions {
 };
 
 enum class PairTruth {
-  Apart,       // no common surface
-  Wrong,       // the pose found is wrong
-  Near,        // it is neither right nor clearly wrong
-  RightLittle, // right, with little overlap
+  Apart,        // no common surface
+  Wrong,        // the pose found is wrong
+  Near,         // it is neither right nor clearly wrong
+  RightLittle,  // right, with little overlap
   Right,
 };
 std::string_view name_of(PairTruth truth);
@@ -66,6 +66,7 @@ struct VerdictPair {
   AlignStatus status = AlignStatus::TooFewPairs;
   AlignStatus without_verdict = AlignStatus::TooFewPairs;  // what the loop alone would have said
   std::optional<Evidence> evidence;
+  std::optional<double> nees;  // the normalised error squared, over six: 1 on average where the covariance is right
 };
 
 // Pairs within, then pairs across. on_pair is called after each.

@@ -19,12 +19,12 @@ constexpr int kThinnedColumns = 160;
 constexpr int kReadoutRounds = 2;
 
 struct Start {
-  Rigid3 target_from_source;
+  Rigid3 target_from_source, guess;
   ReadoutMotion readout;
 };
 
-// What the loop at full resolution would do, on thinned scans. False where they hold no pose, or leave a part of it open: what no
-// data hold is held at the guess, which only the last loop can do, so that no step before it may move it.
+// What the loop at full resolution would do, on thinned scans. False where they hold no pose, or leave a part of it
+// open: what no data hold is held at the guess, which only the last loop can do, so that no step before it may move it.
 bool align_thinned(const Scan& source, const Scan& target, const Lengths& lengths, const RegistrationOptions& options,
                    Rigid3& target_from_source, std::vector<Correspondence>& pairs) {
   const Level level(source, target, lengths, options);
@@ -45,42 +45,46 @@ void improve_thinned(const Scan& source, const Scan& target, bool bends, const L
     start.readout = improved(start.readout, scans, pairs, start.target_from_source);
     scans.straight_source = without_skew(source, start.readout.source, options.num_threads);
     scans.straight_target = without_skew(target, start.readout.target, options.num_threads);
-    if (!align_thinned(scans.straight_source, scans.straight_target, lengths, options, start.target_from_source, pairs)) return;
+    if (!align_thinned(scans.straight_source, scans.straight_target, lengths, options, start.target_from_source, pairs))
+      return;
   }
 }
 
-AlignResult at_full_resolution(const Scan& source, const Scan& target, const Rigid3& start, const Lengths& lengths,
+AlignResult at_full_resolution(const Scan& source, const Scan& target, const Start& start, const Lengths& lengths,
                                const RegistrationOptions& options) {
   const bool projective = is_projective(target, options.association);
   const std::unique_ptr<Matcher> matcher = matcher_for(target, projective);
   const AlignOptions align_by = align_options(lengths, projective, options);
-  return judged(align(source.cloud, *matcher, start, align_by), source, target, *matcher, lengths, align_by);
+  return judged(align(source.cloud, *matcher, start.target_from_source, align_by), source, target, *matcher,
+                start.guess, lengths, align_by);
 }
 
 }  // namespace
 
 AlignResult coarse_to_fine(const Scan& source, const Scan& target, const Rigid3& guess_target_from_source,
                            const Lengths& lengths, const RegistrationOptions& options) {
-  if (options.preset == Preset::Paper)
-    return at_full_resolution(source, target, guess_target_from_source, lengths, options);
-  Start start{guess_target_from_source, {}};
-  if (options.search) start.target_from_source = search_start(source, target, guess_target_from_source, lengths, options);
+  const Start guess{guess_target_from_source, guess_target_from_source, {}};
+  if (options.preset == Preset::Paper) return at_full_resolution(source, target, guess, lengths, options);
+  Start start = guess;
+  if (options.search)
+    start.target_from_source = search_start(source, target, guess_target_from_source, lengths, options);
   const bool has_images = source.view && is_projective(target, options.association);
-  const bool bends = has_images && options.rolling_shutter && source.view->rolling_shutter && target.view->rolling_shutter;
-  const bool is_large = has_images && std::max(step_for(source, kThinnedColumns), step_for(target, kThinnedColumns)) > 1;
+  const bool bends =
+      has_images && options.rolling_shutter && source.view->rolling_shutter && target.view->rolling_shutter;
+  const bool is_large =
+      has_images && std::max(step_for(source, kThinnedColumns), step_for(target, kThinnedColumns)) > 1;
   if (bends || (options.coarse_to_fine && is_large))
-    improve_thinned(coarser(source, kThinnedColumns, 1.0, lengths), coarser(target, kThinnedColumns, 1.0, lengths), bends,
-                    lengths, options, start);
-  const Rigid3& pose = start.target_from_source;
+    improve_thinned(coarser(source, kThinnedColumns, 1.0, lengths), coarser(target, kThinnedColumns, 1.0, lengths),
+                    bends, lengths, options, start);
   const int num_threads = options.num_threads;
-  const AlignResult result = bends ? at_full_resolution(without_skew(source, start.readout.source, num_threads),
-                                                        without_skew(target, start.readout.target, num_threads), pose,
-                                                        lengths, options)
-                                   : at_full_resolution(source, target, pose, lengths, options);
+  const AlignResult result =
+      bends ? at_full_resolution(without_skew(source, start.readout.source, num_threads),
+                                 without_skew(target, start.readout.target, num_threads), start, lengths, options)
+            : at_full_resolution(source, target, start, lengths, options);
   // What was found on the way does not hold: say what becomes of the guess.
-  const bool was_the_guess = !bends && pose.matrix() == guess_target_from_source.matrix();
+  const bool was_the_guess = !bends && start.target_from_source.matrix() == guess_target_from_source.matrix();
   if (has_pose(result.status) || was_the_guess) return result;
-  return at_full_resolution(source, target, guess_target_from_source, lengths, options);
+  return at_full_resolution(source, target, guess, lengths, options);
 }
 
 }  // namespace augicp

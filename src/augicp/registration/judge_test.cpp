@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/registration/judge.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "augicp/geometry/rotation.h"
 #include "augicp/registration/registration.h"
+#include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
 #include "augicp/testing/room_pair.h"
 #include "augicp/testing/scenes.h"
@@ -87,6 +90,22 @@ TEST(Judge, RegistrationOfANearPairIsTrusted) {
 TEST(Judge, WithoutCommonSurfaceNothingIsTrusted) {
   for (const Pair& pair : pairs_without_overlap())
     EXPECT_NE(register_scans(pair.source, pair.target).status, AlignStatus::Converged);
+}
+
+// A corner without anything in it is found again from afar, but any other would be too; only a near guess tells which it is.
+TEST(Judge, BareCornersAreTrustedNearTheGuessOnly) {
+  const testing::Scene scene = testing::room_corner();
+  const Rigid3 from = testing::look_at({0.8, 2.3, 1.7}, {0.4, 0.0, 0.3}), to = scene.world_from_camera;
+  const Rigid3 motion = inverse(to) * from;
+  const Scan source = testing::noisy_view(scene, from, 1), target = testing::noisy_view(scene, to, 2);
+  const AlignResult far = register_scans(source, target);
+  EXPECT_THAT(far.target_from_source, testing::NearPose(motion, 0.02, 0.05));
+  EXPECT_LT(far.evidence->beyond_planes, 0.0025);
+  EXPECT_GT(far.evidence->moved, 0.5);
+  EXPECT_EQ(far.doubts, std::vector<Doubt>{Doubt::BarePlanes});
+  const AlignResult near = register_scans(source, target, motion * Rigid3{rotation_exp({0.0, 0.05, 0.0}), {0.02, 0.0, 0.0}});
+  EXPECT_THAT(near.target_from_source, testing::NearPose(motion, 0.02, 0.05));
+  EXPECT_EQ(near.status, AlignStatus::Converged);
 }
 
 // robustness 11: 100 m apart. That is no pose at all.
