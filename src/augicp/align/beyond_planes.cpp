@@ -9,8 +9,8 @@ namespace augicp {
 namespace {
 
 constexpr int kNumPlanes = 3;
-constexpr std::size_t kNumTried = 64;  // through so many points, for each of the three
-constexpr int kNumFits = 2;            // a normal of one point is a few degrees off, which is much across a room
+constexpr std::size_t kNumTried = 32;  // through so many points, for each of the three
+constexpr int kNumFits = 3;            // a normal of one point is a few degrees off, which is much across a room
 
 // Of a cloud's point; per_depth counts from where it was seen.
 double allowed(const Cloud& cloud, std::uint32_t point, const AgreementTolerance& tolerance) {

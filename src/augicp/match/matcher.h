@@ -46,8 +46,11 @@ class NearestMatcher : public Matcher {
   KdTree tree_;
 };
 
+class PairFilter;
+
 // "Line of sight" (section 4.1): the source is projected into the target's depth image, and what is seen in a pixel is
-// paired with the target point of that pixel.
+// paired with the target point of that pixel: the nearest point where there are several, but of a few points in a large
+// image all.
 class ProjectiveMatcher : public Matcher {
  public:
   // index: the pixel each point of the target was seen in by the camera; it must outlive the matcher too.
@@ -59,6 +62,8 @@ class ProjectiveMatcher : public Matcher {
                       int num_threads) const override;
 
  private:
+  std::vector<Correspondence> match_points(const Cloud& source, const PairFilter& filter) const;
+
   const Cloud& target_;
   const IndexImage& index_;
   Pinhole camera_;

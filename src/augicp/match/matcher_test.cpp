@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/parallel.h"
 #include "augicp/sensor/projection.h"
 #include "augicp/testing/poses.h"
@@ -24,7 +25,8 @@ constexpr Pinhole kCamera{50.0, 60.0, 31.5, 23.5, 64, 48};
 // What a camera sees, with directions that nothing ties to it.
 OrganizedCloud random_target(unsigned seed, const Pinhole& camera = kCamera) {
   std::mt19937 generator(seed);
-  DepthImage image{camera.width, camera.height, std::vector<float>(static_cast<std::size_t>(camera.width) * camera.height)};
+  DepthImage image{camera.width, camera.height,
+                   std::vector<float>(static_cast<std::size_t>(camera.width) * camera.height)};
   for (float& depth : image.depth)
     depth = testing::uniform(generator, 0.0, 1.0) < 0.1 ? std::nanf("")
                                                         : static_cast<float>(testing::uniform(generator, 1.0, 1.3));
@@ -149,6 +151,32 @@ TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
     EXPECT_EQ(pairs, projective_slowly(source, target, pose, one.gates));
     EXPECT_GT(pairs.size(), 20u);
   }
+}
+
+// Few points are looked up one by one: a pair of all points is found again if its source point is among the few, and no
+// other pair is but of points that others hid.
+TEST(ProjectiveMatcher, FewPointsFindWhatTheyFindAmongAll) {
+  const OrganizedCloud target = random_target(3);
+  const Cloud all = source_near(target.cloud, 4);
+  std::vector<std::uint32_t> few;
+  for (std::uint32_t j = 0; j < all.size(); j += 20) few.push_back(j);
+  const Rigid3 pose{Eigen::Quaterniond::Identity(), {0.01, 0.0, 0.0}};
+  const ProjectiveMatcher matcher(target.cloud, target.index, kCamera);
+  const auto pairs_of_all = matcher.match(all, pose, Gates{}, 1),
+             pairs_of_few = matcher.match(select(all, few), pose, Gates{}, 1);
+  const IndexImage seen = project(all, pose, kCamera, kCamera.width, kCamera.height, 1);
+  std::size_t num_again = 0;
+  for (const Correspondence& pair : pairs_of_few) {
+    const Correspondence same{few[pair.source], pair.target};
+    if (std::find(pairs_of_all.begin(), pairs_of_all.end(), same) != pairs_of_all.end())
+      ++num_again;
+    else
+      EXPECT_EQ(std::find(seen.index.begin(), seen.index.end(), static_cast<std::int32_t>(same.source)),
+                seen.index.end());
+  }
+  const auto is_of_few = [](const Correspondence& pair) { return pair.source % 20 == 0; };
+  EXPECT_EQ(num_again, static_cast<std::size_t>(std::count_if(pairs_of_all.begin(), pairs_of_all.end(), is_of_few)));
+  EXPECT_GT(num_again, 30u);
 }
 
 TEST(ProjectiveMatcher, AnImagePairsWithItself) {

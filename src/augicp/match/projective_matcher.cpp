@@ -17,6 +17,9 @@ std::int32_t pixel_of(const Vec3f& place, const Pinhole& camera, const IndexImag
   return is_inside ? index.at(static_cast<int>(u), static_cast<int>(v)) : IndexImage::kNone;
 }
 
+// Fewer points than this share of the pixels hardly hide each other, and need no image of their own.
+constexpr std::size_t kPixelsPerSparsePoint = 16;
+
 }  // namespace
 
 ProjectiveMatcher::ProjectiveMatcher(const Cloud& target, const IndexImage& index, const Pinhole& camera)
@@ -28,6 +31,7 @@ std::vector<Correspondence> ProjectiveMatcher::match(const Cloud& source, const 
                                                      const Gates& gates, int num_threads) const {
   gates.check();
   const PairFilter filter(source, target_, target_from_source, gates);
+  if (source.size() * kPixelsPerSparsePoint < index_.index.size()) return match_points(source, filter);
   const IndexImage seen = project(source, target_from_source, camera_, index_.width, index_.height, num_threads);
   // Every block of pixels writes to its own part, which is then moved up to those before.
   std::vector<Correspondence> pairs(seen.index.size());
@@ -46,6 +50,17 @@ std::vector<Correspondence> ProjectiveMatcher::match(const Cloud& source, const 
   for (std::size_t block = 0; block < num_found.size(); ++block)
     for (std::size_t k = 0; k < num_found[block]; ++k) pairs[num_pairs++] = pairs[block * kLightBlockSize + k];
   pairs.resize(num_pairs);
+  return pairs;
+}
+
+std::vector<Correspondence> ProjectiveMatcher::match_points(const Cloud& source, const PairFilter& filter) const {
+  std::vector<Correspondence> pairs;
+  for (std::uint32_t j = 0; j < source.size(); ++j) {
+    const Vec3f moved = filter.moved(j);
+    const std::int32_t i = pixel_of(moved, camera_, index_);
+    if (i == IndexImage::kNone) continue;
+    if (filter.passes(j, moved, static_cast<std::uint32_t>(i))) pairs.push_back({j, static_cast<std::uint32_t>(i)});
+  }
   return pairs;
 }
 
