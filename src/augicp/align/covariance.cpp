@@ -77,27 +77,21 @@ Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& sol
   return 0.5 * points_per_asked * (A + A.transpose());
 }
 
-// So many cells tell the spread of gradients to a tenth; of more, every so manieth is asked.
-constexpr std::size_t kNumCells = 256;
-
 // The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for that.
 std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution, double cell_size) {
   const Buckets buckets = in_buckets(target, solution.pairs, cell_size);
   const std::span<const Correspondence> sorted(buckets.pairs);
-  std::vector<std::span<const Correspondence>> cells;
-  for (std::size_t b = 0; b < kNumBuckets; ++b)
-    if (buckets.begin[b + 1] > buckets.begin[b])
-      cells.push_back(sorted.subspan(buckets.begin[b], buckets.begin[b + 1] - buckets.begin[b]));
-  const auto num_cells = static_cast<double>(cells.size());
-  if (num_cells <= 6.0) return std::nullopt;
-  const std::size_t step = (cells.size() + kNumCells - 1) / kNumCells;
   Mat6d M = Mat6d::Zero();
-  double num_asked = 0.0;
-  for (std::size_t k = 0; k < cells.size(); k += step, ++num_asked) {
-    const Vec6d g = linearize(source, target, cells[k], solution.target_from_source, solution.objective, 1).b;
+  int num_cells = 0;
+  for (std::size_t b = 0; b < kNumBuckets; ++b) {
+    const auto of_cell = sorted.subspan(buckets.begin[b], buckets.begin[b + 1] - buckets.begin[b]);
+    if (of_cell.empty()) continue;
+    const Vec6d g = linearize(source, target, of_cell, solution.target_from_source, solution.objective, 1).b;
     M += g * g.transpose();
+    ++num_cells;
   }
-  return num_cells / num_asked * num_cells / (num_cells - 6.0) * M;
+  if (num_cells <= 6) return std::nullopt;
+  return static_cast<double>(num_cells) / static_cast<double>(num_cells - 6) * M;
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ struct Evidence {
 struct VerdictLimits {
   // The share that should have been visible, less the share of that which does not agree: the less two clouds have in
   // common, the better it must fit, or any corner of a room fits any other. Right poses of clouds that overlap by 30 %
-  // have 0.26 and more in 98 of 100 cases, wrong ones of clouds without common surface less in 98 of 100.
-  double min_margin = 0.26;
+  // have 0.25 and more in 98 of 100 cases, wrong ones of clouds without common surface less in 98 of 100.
+  double min_margin = 0.246;
 
   // The least share of these that agrees. Right poses of depth images have 0.86 and more in 99 of 100 cases, wrong ones
   // less than 0.9 in nine of ten. Without a camera what lies far off is merely unseen, so that more must agree; but
