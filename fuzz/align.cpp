@@ -14,7 +14,7 @@ using fuzz::expect;
 
 namespace {
 
-constexpr std::size_t kMaxPoints = 150;  // of both clouds: an input shall take milliseconds
+constexpr std::size_t kMaxPoints = 80;  // of both clouds: an input shall take milliseconds
 
 // Takes numbers off the front of the input; zeros behind its end.
 class Bytes {
@@ -73,6 +73,14 @@ void expect_sound(const AlignResult& result) {
   expect(result.status != AlignStatus::Converged || result.num_pairs >= 6, "no success on nothing");
 }
 
+void expect_same_with_threads(const Scan& source, const Scan& target, const Rigid3& guess, RegistrationOptions options,
+                              const AlignResult& expected) {
+  options.num_threads = 3;
+  const AlignResult result = register_scans(source, target, guess, options);
+  expect(result.status == expected.status && result.target_from_source.matrix() == expected.target_from_source.matrix(),
+         "the same for any number of threads");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -90,10 +98,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.num_threads = 1;
     const AlignResult result = register_scans(source, target, guess, options);
     expect_sound(result);
-    options.num_threads = 3;
-    const AlignResult again = register_scans(source, target, guess, options);
-    expect(again.status == result.status && again.target_from_source.matrix() == result.target_from_source.matrix(),
-           "the same for any number of threads");
+    if (source_share % 4 == 0) expect_same_with_threads(source, target, guess, options, result);
   } catch (const std::invalid_argument&) {  // options out of their range, or a guess that is no motion
   }
   return 0;
