@@ -49,6 +49,11 @@ def split_lines(text):
     return found[:-1] if found[-1] == "" else found
 
 
+def words_of(line):
+    """What stands between blanks; other white space is part of a word."""
+    return re.split("[ \t]+", line.strip(" \t")) if line.strip(" \t") else []
+
+
 def not_blank(found):
     return [line for line in found if line.strip(" \t")]
 
@@ -68,10 +73,13 @@ def separator(line):
 
 
 def fields(line):
-    """Words between blanks, or fields between the line's commas or semicolons, of which the last may be absent."""
-    mark = separator(line)
+    return fields_of(line, separator(line))
+
+
+def fields_of(line, mark):
+    """Words between blanks, or fields between commas or semicolons, of which the last may be absent."""
     if mark is None:
-        return re.split("[ \t]+", line.strip(" \t")) if line.strip(" \t") else []
+        return words_of(line)
     found = [field.strip(" \t") for field in line.split(mark)]
     return found[:-1] if found[-1] == "" else found
 
@@ -100,7 +108,7 @@ def ply_header(data):
     match = re.search(rb"(?:^|[\r\n])[ \t]*end_header[ \t]*(\r\n|\r|\n|$)", data)
     require(match)
     for line in not_blank(split_lines(text_of(data[:match.start()]))):
-        words = line.split()
+        words = words_of(line)
         if words[0] == "format":
             encoding = words[1]
         elif words[0] == "element":
@@ -134,7 +142,7 @@ def ply_text_records(found, element):
     records = []
     for _ in range(element[1] if element[2] else 0):
         require(found)
-        words, record = found.pop(0).split(), []
+        words, record = words_of(found.pop(0)), []
         for _, _, length_form in element[2]:
             require(words)
             word = words.pop(0)
@@ -193,7 +201,7 @@ def pcd(data):
     entries = {}
     for line in not_blank(split_lines(text_of(data[start:start + match.start()]))):
         if not line.strip(" \t").startswith("#"):
-            entries[line.split()[0]] = line.split()[1:]
+            entries[words_of(line)[0]] = words_of(line)[1:]
     names = entries.get("FIELDS", entries.get("COLUMNS"))
     counts = [count(word) for word in entries.get("COUNT", ["1"] * len(names))]
     forms = [{"F4": "f", "F8": "d", "I1": "b", "I2": "h", "I4": "i", "I8": "q", "U1": "B", "U2": "H", "U4": "I", "U8": "Q"}[kind + size]
@@ -213,8 +221,7 @@ def pcd_ascii(body, total, axes, counts, forms, names):
     found = [line for line in found if not line.strip(" \t").startswith("#")]
     starts = [sum(counts[:axis]) for axis in axes]
     require(len(found) >= total)
-    rows = [[field.strip(" \t") for field in line.split(mark)] for line in found[:total]]
-    rows = [row[:-1] if mark and row[-1] == "" else row for row in rows]
+    rows = [fields_of(line, mark) for line in found[:total]]
     require(all(len(row) == sum(counts) for row in rows))
     return holds_of([[number(row[start]) for start in starts] for row in rows], len(found) > total)
 
@@ -266,7 +273,7 @@ def xyz(data):
         found = found[1:]
     require(found and (declared is None or len(found) >= declared))
     mark = separator(found[0])
-    rows = [[field.strip(" \t") for field in line.split(mark)] for line in found[:declared]]
+    rows = [fields_of(line, mark) for line in found[:declared]]
     require(all(len(row) > max(axes) for row in rows))
     return holds_of([[number(row[axis]) for axis in axes] for row in rows], declared is not None and len(found) > declared)
 
