@@ -41,6 +41,9 @@ CAMERA = {
     "matrix": b"525 0 319.5\n0 525 239.5\n0 0 1\n",
     "open3d": b'{"width": 640, "height": 480, "intrinsic_matrix": [517.3, 0, 0, 0, 516.5, 0, 318.6, 255.3, 1],\n'
               b' "distortion": [0.2624, -0.9531, -0.0054, 0.0026, 1.1633], "readout_s": 0.033}\n',
+    "name": b"tum-fr1",
+    "wide": b'{"width": 1e99, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]}',
+    "whole-numbers": b"525 525 320 240",
     "columns": b'{"intrinsic_matrix": [[500, 0, 0], [0, 500, 0], [320, 240, 1]]}',
 }
 

@@ -62,6 +62,9 @@ def pcd_files():
     body = b"".join(struct.pack("<3f3f2B2x", i, 2 * i, -i, 0, 0, 2, i, 7) for i in range(4))
     yield "fields", pcd("binary", body, "x y z normal_x normal_y normal_z intensity _", "4 4 4 4 4 4 1 1", "F F F F F F U U",
                         "1 1 1 1 1 1 1 3")
+    body = b"".join(struct.pack("<qQhB3f", -i, 2**40 + i, i, i, 0, 0, i - 1) for i in range(3))
+    yield "integers-viewpoint", pcd("binary", body, "x y z rgb normal_x normal_y normal_z", "8 8 2 1 4 4 4", "I U I U F F F",
+                                    "1 1 1 1 1 1 1", 3, more="VIEWPOINT 0 0 -9 1 0 0 0\n")
     yield "ascii-counts", pcd("ascii", b"1 2 3 9 8\n4 5 6 7 6\n", "x y z extra", "8 4 2 2", "F F I I", "1 1 1 2", 2)
 
 

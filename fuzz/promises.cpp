@@ -29,6 +29,15 @@ void expect_sound_grid(const CloudFile& file) {
   expect(std::size_t(next) == file.cloud.size(), "every point has its place");
 }
 
+bool is_refused(const FileBytes& file, const ReadOptions& options) {
+  try {
+    parse_cloud(file, options);
+  } catch (const IoError&) {
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void expect(bool holds, std::string_view promise) {
@@ -70,7 +79,13 @@ FileBytes file_of(const std::filesystem::path& name, const std::uint8_t* data, s
 void check_cloud_reader(const std::filesystem::path& name, const std::uint8_t* data, std::size_t size,
                         const ReadOptions& options) {
   const FileBytes file = file_of(name, data, size);
-  expect_read_or_refused(name, [&] { expect_sound(parse_cloud(file, options)); });
+  expect_read_or_refused(name, [&] {
+    const CloudFile read = parse_cloud(file, options);
+    expect_sound(read);
+    ReadOptions fewer = options;
+    fewer.max_points = read.report.num_declared - 1;
+    expect(is_refused(file, fewer), "a cloud with more points than allowed is refused");
+  });
 }
 
 }  // namespace augicp::fuzz
