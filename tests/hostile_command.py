@@ -75,8 +75,9 @@ class Command:
 def complaint(kind, data, answer):
     code, name, said = answer.split(" ", 2)
     if code in ("2", "3"):
-        # A list of images may be whole, and name images that are not there.
-        names_it = name in said or (kind == "image_list" and "no image can be used" in said)
+        # A list of images may be whole, and name images that are not there; a camera may not fit the image.
+        others = {"image_list": "no image can be used", "camera": "depth.png: depth image is"}
+        names_it = name in said or others.get(kind, name) in said
         return None if names_it and "terminate" not in said else "the error does not name the file"
     if code in ("4", "5") and KINDS[kind][1][0] in ("align", "odometry"):
         return None
