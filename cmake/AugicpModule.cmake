@@ -22,6 +22,14 @@ if(AUGICP_SANITIZE)
   target_link_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE})
 endif()
 
+if(AUGICP_BUILD_FUZZERS)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    message(FATAL_ERROR "AUGICP_BUILD_FUZZERS needs clang, found ${CMAKE_CXX_COMPILER_ID}")
+  endif()
+  # What steers libFuzzer: which branches an input reached.
+  target_compile_options(augicp_build_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 function(augicp_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;TESTS;DEPENDS;PRIVATE")
   add_library(augicp_${name} OBJECT)

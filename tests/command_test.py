@@ -128,6 +128,13 @@ class CommandTest(unittest.TestCase):
             self.assertEqual(finished.returncode, code, finished.stderr)
             self.assertIn(part, finished.stderr)
 
+    def test_an_image_unlike_its_camera_is_named(self):
+        camera = self.folder / "camera.json"
+        camera.write_text('{"width": 320, "height": 240, "intrinsic_matrix": [260, 0, 0, 0, 260, 0, 160, 120, 1]}')
+        finished = run("info", IMAGES[0], "--camera", camera)
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn(f"{IMAGES[0]}: depth image is 640 x 480 pixels, the camera's are 320 x 240", finished.stderr)
+
     def test_same_bits_for_any_number_of_threads(self):
         for words in ((ROOM / "source.ply", ROOM / "target.ply"), (*IMAGES, "--camera", "tum-fr1")):
             outputs = set()

@@ -24,6 +24,15 @@ GreyImage read_grey_input(const std::filesystem::path& path, const DepthImage& d
   return grey;
 }
 
+// The library's own message names no file.
+void check_fits(const std::filesystem::path& path, const DepthImage& image, const DepthCamera& camera) {
+  try {
+    check_size(image, camera.pinhole);
+  } catch (const std::invalid_argument& error) {
+    throw IoError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
 Input read_depth_input(const std::filesystem::path& path, const InputOptions& options,
                        const std::filesystem::path& grey_path) {
   if (options.camera.empty())
@@ -32,6 +41,7 @@ Input read_depth_input(const std::filesystem::path& path, const InputOptions& op
   const DepthImage image = read_depth_png(path, options.depth_scale);
   check_depth_scale(image, path, options.depth_scale);
   const DepthCamera camera = read_camera(options.camera);
+  check_fits(path, image, camera);
   Input input{grey_path.empty() ? scan_of(image, camera) : scan_of(image, read_grey_input(grey_path, image), camera), {}};
   input.report.format = fmt::format("png depth {} x {}", image.width, image.height);
   input.report.num_declared = image.depth.size();

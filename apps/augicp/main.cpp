@@ -5,6 +5,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "apps/augicp/command_line.h"
 #include "apps/augicp/commands.h"
 #include "augicp/core/error.h"
 
@@ -17,20 +18,9 @@ int fail(const char* message, ExitCode code) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Rigid registration of 3D point clouds with augmented measurements: positions, normals and tangents."};
-  app.set_version_flag("--version", "augicp " AUGICP_VERSION);
-  app.set_config("--config", "", "Read options from a TOML file, a section for each subcommand; flags win over it");
-  app.allow_config_extras(CLI::config_extras_mode::error);
-  app.require_subcommand(1);
-  app.footer("Exit codes: 0 success, 1 internal error, 2 usage, 3 unreadable input or unwritable output, 4 registration failed,\n"
-             "            5 result found but degenerate or doubtful, 130 interrupted.");
+  CLI::App app;
   int exit_code = kSuccess;
-  add_align_command(app, exit_code);
-  add_evaluate_command(app, exit_code);
-  add_experiment_command(app, exit_code);
-  add_info_command(app, exit_code);
-  add_odometry_command(app, exit_code);
-  add_surface_command(app, exit_code);
+  set_up_command_line(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -86,7 +86,10 @@ class HeaderParser {
     std::string_view rest = next_line();
     const auto keyword = next_field(rest);
     if (!keyword) return true;
-    if (*keyword == "end_header") return false;
+    if (*keyword == "end_header") {
+      if (next_field(rest)) fail("expected nothing behind 'end_header'");
+      return false;
+    }
     if (*keyword == "element") {
       parse_element(rest);
     } else if (*keyword == "property") {

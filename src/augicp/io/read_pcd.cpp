@@ -59,6 +59,11 @@ BinaryPoints in_bytes(std::string_view bytes, const PcdHeader& header) {
   return {bytes, ByteOrder::Little, {}, num_rows, row_length};
 }
 
+void warn_of_excess(std::uint64_t num_bytes, CloudFile& read) {
+  if (num_bytes > 0)
+    read.report.warnings.push_back(fmt::format("{} bytes after the declared points were not read", num_bytes));
+}
+
 CloudFile read_binary(const FileBytes& file, const PcdHeader& header, const PointColumns& columns,
                       const PointTable& table) {
   std::uint64_t stride = 0;
@@ -75,13 +80,17 @@ CloudFile read_binary(const FileBytes& file, const PcdHeader& header, const Poin
     offset += field.bytes();
   }
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
-  if (const std::uint64_t excess = num_left - header.num_points * stride; excess > 0)
-    read.report.warnings.push_back(fmt::format("{} bytes after the declared points were not read", excess));
+  warn_of_excess(num_left - header.num_points * stride, read);
   return read;
 }
 
+struct Decompressed {
+  std::string bytes;
+  std::uint64_t num_behind = 0;  // bytes of the file that do not belong to it, unless PCL put them there
+};
+
 // The body is two lengths, then LZF. Throws IoError before allocating where the lengths cannot be.
-std::string decompress(const FileBytes& file, std::size_t offset, std::uint64_t expected_bytes) {
+Decompressed decompress(const FileBytes& file, std::size_t offset, std::uint64_t expected_bytes) {
   constexpr std::size_t kLengths = 8;
   constexpr std::uint64_t kMaxRatio = 88;  // three bytes of LZF stand for at most 264
   const std::uint64_t num_left = file.bytes.size() - offset;
@@ -104,7 +113,10 @@ std::string decompress(const FileBytes& file, std::size_t offset, std::uint64_t 
       lzf_decompress(file.bytes.data() + offset + kLengths, static_cast<unsigned int>(compressed), bytes.data(),
                      static_cast<unsigned int>(uncompressed));
   if (found != uncompressed) throw io_error_at_byte(file.path, offset + kLengths, "the compressed data are damaged");
-  return bytes;
+  const std::string_view behind = std::string_view(file.bytes).substr(offset + kLengths + compressed);
+  // PCL fills its files up with zeros, to a whole page of memory.
+  const bool is_padding = behind.find_first_not_of('\0') == std::string_view::npos;
+  return {std::move(bytes), is_padding ? 0 : behind.size()};
 }
 
 CloudFile read_compressed(const FileBytes& file, const PcdHeader& header, const PointColumns& columns,
@@ -122,9 +134,11 @@ CloudFile read_compressed(const FileBytes& file, const PcdHeader& header, const 
     if (header.num_points > (kMaxBytes - offset) / field.bytes()) throw cut_short(file, header.num_points);
     offset += field.bytes() * header.num_points;
   }
-  const std::string bytes = decompress(file, header.body_offset, offset);
-  points.bytes = bytes;
-  return build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
+  const Decompressed body = decompress(file, header.body_offset, offset);
+  points.bytes = body.bytes;
+  CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
+  warn_of_excess(body.num_behind, read);
+  return read;
 }
 
 }  // namespace

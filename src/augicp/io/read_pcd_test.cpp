@@ -184,6 +184,13 @@ TEST(ReadPcd, FewerDeclaredThanPresentIsAWarning) {
   }
 }
 
+TEST(ReadPcd, BytesBehindTheDeclaredAreAWarning) {
+  for (const std::string& bytes : {binary_file(), compressed_file()})
+    EXPECT_THAT(parse("a.pcd", bytes + "abc").report.warnings,
+                ::testing::ElementsAre("3 bytes after the declared points were not read"));
+  EXPECT_THAT(parse("a.pcd", compressed_file() + std::string(4000, '\0')).report.warnings, ::testing::IsEmpty());
+}
+
 // robustness 3
 TEST(ReadPcd, HeadersThatMakeNoSenseAreErrors) {
   const std::pair<std::string, const char*> cases[] = {

@@ -177,6 +177,7 @@ TEST(ReadPly, HeadersThatMakeNoSenseAreErrors) {
       {with(text, "vertex 3", "point 3"), "expected an element 'vertex', found none"},
       {with(text, "element vertex 3\n", ""), "line 4: expected an element before its properties"},
       {with(text, "end_header", "end"), "expected 'element', 'property' or 'end_header', found 'end'"},
+      {with(text, "end_header", "end_header 1 2 3"), "expected nothing behind 'end_header', found 'end_header 1 2 3'"},
       {with(text, "4 5 6", "4 5"), "line 12: expected 3 values, found 2: '4 5'"},
       {with(text, "4 5 6", "4 5 6 7"), "line 12: expected 3 values, found 4"},
       {with(text, "4 5 6", "4 5,5 6"), "line 12: expected a number, found '5,5'"},

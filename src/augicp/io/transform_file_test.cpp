@@ -73,6 +73,13 @@ TEST(TransformFile, WhatIsNotARigidMotionIsRefused) {
   for (const auto& [text, message] : cases) EXPECT_THAT(refusal(text), ::testing::HasSubstr(message)) << text;
 }
 
+TEST(TransformFile, NothingMayStandBehindTheJson) {
+  const std::string json = R"({"T_target_source": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]})";
+  EXPECT_EQ(refusal(json + "\n"), "");
+  EXPECT_THAT(refusal(json + "x"), ::testing::HasSubstr("JSON is damaged"));
+  EXPECT_THAT(refusal(json + std::string(3, '\0')), ::testing::HasSubstr("JSON is damaged"));
+}
+
 TEST(TransformFile, DeeplyNestedJsonIsRefused) {
   EXPECT_NE(refusal("{\"T_target_source\": " + std::string(100000, '[') + std::string(100000, ']') + "}"), "");
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command_line.h"
+
+#include "apps/augicp/commands.h"
+
+namespace augicp::app {
+
+void set_up_command_line(CLI::App& app, int& exit_code) {
+  app.description(
+      "Rigid registration of 3D point clouds with augmented measurements: positions, normals and tangents.");
+  app.set_version_flag("--version", "augicp " AUGICP_VERSION);
+  app.set_config("--config", "", "Read options from a TOML file, a section for each subcommand; flags win over it");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 success, 1 internal error, 2 usage, 3 unreadable input or unwritable output, 4 registration "
+      "failed,\n"
+      "            5 result found but degenerate or doubtful, 130 interrupted.");
+  add_align_command(app, exit_code);
+  add_evaluate_command(app, exit_code);
+  add_experiment_command(app, exit_code);
+  add_info_command(app, exit_code);
+  add_odometry_command(app, exit_code);
+  add_surface_command(app, exit_code);
+}
+
+}  // namespace augicp::app

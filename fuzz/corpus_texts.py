@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""The seeds that are text, for make_corpus.py."""
+
+XYZ = {
+    "blanks": b"# a comment\n0 0 0\n1 2 3 9\n\n-1.5e-3 +4 5\n",
+    "commas": b"x,y,z,nx,ny,nz,intensity\n1,2,3,0,0,1,7\n4,5,6,0,1,0,inf\nnan,5,6,0,1,0,2\n",
+    "semicolons": b"z;y;x\r\n1.5;2;3\r\n4;5;6\r\n",
+    "counted": b"3\n1 2 3\n4 5 6\n7 8 9\n",
+    "counted-more": b"1\n1 2 3\n4 5 6\n",
+    "cloudcompare": b"//X Y Z Structure Normal_X Normal_Y Normal_Z\n1 2 3 1 0 0 2\n4 5 6 2 1 0 0\n7 8 9 0 0 0 0\n",
+    "carriage-returns": b"1 2 3\r4 5 6\r",
+    "bom-far": b"\xef\xbb\xbf500000.125 4000000.5 100\n500001 4000001 101\n500002 4000002 102",
+    "huge": b"1e18 0 0\n1 1 1\n1e-320 1e308 -inf\n",
+}
+
+IMAGE_LIST = {
+    "tum": b"# depth maps\n# timestamp filename\n1305031453.374112 depth/1305031453.374112.png\n1305031453.5 depth/b.png\n",
+    "blanks": b"\xef\xbb\xbf 1 a name with blanks.png \r\n-2.5\tb.png\r\n",
+}
+
+TRAJECTORY = {
+    "tum": b"# timestamp tx ty tz qx qy qz qw\n1 0 0 0 0 0 0 1\n1.5 1 2 3 0 0.6 0 0.8 # good\n2 0 0 0 0.5 0.5 0.5 0.5\n",
+    "commas": b"\xef\xbb\xbf0, 1, 2, 3, 1, 0, 0, 0\r\n0.1, 1, 2, 3, 0.7071, 0, 0, 0.7071",
+    "unsorted": b"2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n",
+    "milliseconds": b"1305031453374 0 0 0 0 0 0 1\n",
+}
+
+TRANSFORM = {
+    "matrix": b"# T\n1 0 0 0.5\n0 1 0 0\n0 0 1 -2\n0 0 0 1\n",
+    "rows": b"0 -1 0 1, 1 0 0 2, 0 0 1 3\n",
+    "rows-commas": b"0,-1,0,1\n1,0,0,2\n0,0,1,3\n",
+    "quaternion": b"0.1 0.2 0.3 0 0 0.6 0.8\n",
+    "json": b'{"T_target_source": [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, -2], [0, 0, 0, 1]], "status": "converged"}',
+    "json-flat": b'\xef\xbb\xbf {"T_target_source": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}',
+    "reflection": b"1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1\n",
+}
+
+CAMERA = {
+    "numbers": b"525 525 319.5 239.5\n",
+    "lens": b"517.3 516.5 318.6 255.3 0.2624 -0.9531 -0.0054 0.0026 1.1633\n",
+    "matrix": b"525 0 319.5\n0 525 239.5\n0 0 1\n",
+    "open3d": b'{"width": 640, "height": 480, "intrinsic_matrix": [517.3, 0, 0, 0, 516.5, 0, 318.6, 255.3, 1],\n'
+              b' "distortion": [0.2624, -0.9531, -0.0054, 0.0026, 1.1633], "readout_s": 0.033}\n',
+    "name": b"tum-fr1",
+    "wide": b'{"width": 1e99, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]}',
+    "whole-numbers": b"525 525 320 240",
+    "columns": b'{"intrinsic_matrix": [[500, 0, 0], [0, 500, 0], [320, 240, 1]]}',
+}
+
+COMMAND_LINE = {
+    "align": b"align\na.ply\nb.ply\n--method\ngicp\n--initial\n0 0 0 0 0 0 1\n--max-angle-deg\n45\n--quiet\n\n"
+             b"[align]\nradius = 0.1\nthreads = 2\nmethod = \"plane\"\ntrace = true\n",
+    "odometry": b"odometry\nfolder\n--camera\ntum-fr1\n--output\ntrajectory.txt\n\n# a comment\n[odometry]\ncamera = '500 500 320 240'\n",
+    "experiment": b"experiment\nsynthetic\n--help\n\n[experiment.synthetic]\nseed = 3\n",
+    "unknown": b"info\nscan.ply\n--no-such-option\n\n[info]\nno_such = 1\nmax-points = [1, 2]\n",
+    "version": b"--version\n\nalign.source = x\n",
+    "surface": b"surface\nscan.ply\n--json=-\n--radius=1e308\n--max-points=-1\n\n[surface]\nfile = \"a\\\"b\"\n[[surface]]\n",
+}

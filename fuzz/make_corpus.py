@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""Writes the seeds of the fuzz targets, fuzz/corpus/TARGET/: small files, together all that the readers know.
+
+make_corpus.py [FOLDER]    run again after a change; what was found (regression-*) stays
+"""
+
+import pathlib
+import struct
+import sys
+import zlib
+
+import numpy
+
+import corpus_texts
+
+POINTS = numpy.random.default_rng(1).uniform(-2, 2, (12, 3)).astype("f4")
+
+
+def ply(encoding, order, body, vertex="property float x\nproperty float y\nproperty float z\n", count=4, other=""):
+    return (f"ply\nformat {encoding} 1.0\ncomment a seed\nelement vertex {count}\n{vertex}{other}end_header\n").encode() + body
+
+
+def ply_files():
+    rows = [(0, 0, 0), (1, 0.5, 2), (-1, 1e-3, 3), (2, "nan", 1)]
+    text = "".join("%s %s %s\n" % row for row in rows).encode()
+    faces = "element face 2\nproperty list uchar int vertex_indices\n"
+    yield "ascii", ply("ascii", "", text)
+    yield "ascii-faces", ply("ascii", "", text + b"3 0 1 2\n3 1 2 3\n", other=faces)
+    for name, encoding, order in (("little", "binary_little_endian", "<"), ("big", "binary_big_endian", ">")):
+        body = POINTS[:4].astype(order + "f4").tobytes()
+        lists = b"".join(struct.pack(order + "B3i", 3, i, i + 1, i + 2) for i in range(2))
+        yield name, ply(encoding, order, body + lists, other=faces)
+    columns = "property double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+    columns += "property uchar structure\nproperty ushort intensity\n"
+    body = b"".join(struct.pack("<3d3fBH", 5e5 + i, 4e6 - i, i * i, 0, i, 1, i % 3, 100 * i) for i in range(6))
+    yield "columns", ply("binary_little_endian", "<", body, columns, 6)
+    before = b"ply\r\nformat ascii 1.0\r\nobj_info none\r\nelement camera 1\r\nproperty list char float v\r\nelement vertex 2\r\n"
+    yield "element-before", before + b"property int x\r\nproperty int y\r\nproperty int8 z\r\nend_header\r\n2 0.5 1\r\n1 2 3\r\n4 5 6\r\n"
+
+
+def lzf_literals(data):
+    """LZF without any matches: runs of up to 32 bytes behind their length."""
+    runs = [data[i:i + 32] for i in range(0, len(data), 32)]
+    return b"".join(bytes([len(run) - 1]) + run for run in runs)
+
+
+def pcd(data, body, fields="x y z", size="4 4 4", types="F F F", count="1 1 1", width=4, height=1, more=""):
+    return (f"# .PCD v0.7\nVERSION 0.7\nFIELDS {fields}\nSIZE {size}\nTYPE {types}\nCOUNT {count}\nWIDTH {width}\n"
+            f"HEIGHT {height}\n{more}POINTS {width * height}\nDATA {data}\n").encode() + body
+
+
+def pcd_files():
+    yield "ascii", pcd("ascii", b"0 0 0\n1 2 3\n0.5 nan 1\n-1 -2 1e-3\n", more="VIEWPOINT 0 0 0 1 0 0 0\n")
+    yield "binary", pcd("binary", POINTS[:4].tobytes(), more="VIEWPOINT 1 2 3 1 0 0 0\n")
+    organised = POINTS[:6].copy()
+    organised[2] = numpy.nan
+    yield "organised", pcd("binary", organised.tobytes(), width=3, height=2)
+    soa = POINTS[:4].T.tobytes()
+    yield "compressed", pcd("binary_compressed", struct.pack("<II", len(lzf_literals(soa)), len(soa)) + lzf_literals(soa))
+    matched = struct.pack("<II", 6, 24) + b"\x00\x00" + b"\xe0\x0c\x00" + b"\x00"  # 1 zero, 21 copies of it: cut
+    yield "compressed-match", pcd("binary_compressed", matched, width=2)
+    body = b"".join(struct.pack("<3f3f2B2x", i, 2 * i, -i, 0, 0, 2, i, 7) for i in range(4))
+    yield "fields", pcd("binary", body, "x y z normal_x normal_y normal_z intensity _", "4 4 4 4 4 4 1 1", "F F F F F F U U",
+                        "1 1 1 1 1 1 1 3")
+    body = b"".join(struct.pack("<qQhB3f", -i, 2**40 + i, i, i, 0, 0, i - 1) for i in range(3))
+    yield "integers-viewpoint", pcd("binary", body, "x y z rgb normal_x normal_y normal_z", "8 8 2 1 4 4 4", "I U I U F F F",
+                                    "1 1 1 1 1 1 1", 3, more="VIEWPOINT 0 0 -9 1 0 0 0\n")
+    yield "ascii-counts", pcd("ascii", b"1 2 3 9 8\n4 5 6 7 6\n", "x y z extra", "8 4 2 2", "F F I I", "1 1 1 2", 2)
+
+
+def npy(array, version=1):
+    header = repr({"descr": array.dtype.str, "fortran_order": bool(array.ndim > 1 and array.flags.f_contiguous), "shape": array.shape})
+    header = header.ljust(64 if version == 1 else 68) + "\n"
+    length = struct.pack("<H" if version == 1 else "<I", len(header))
+    return b"\x93NUMPY" + bytes([version, 0]) + length + header.encode() + array.tobytes("A")
+
+
+def npy_files():
+    yield "f4", npy(POINTS[:4])
+    yield "f8-version-2", npy(POINTS[:4].astype("f8"), 2)
+    yield "big-endian", npy(POINTS[:4].astype(">f4"))
+    yield "fortran", npy(numpy.asfortranarray(POINTS[:4]))
+    yield "grid", npy(numpy.resize(POINTS, (2, 3, 4)))
+
+
+def kitti_files():
+    sweep = numpy.hstack([POINTS[:6], numpy.arange(6, dtype="f4")[:, None] / 6])
+    yield "sweep", sweep.tobytes()
+    yield "bare", POINTS[:5].tobytes()
+    sweep[1, 0] = numpy.nan
+    sweep[2, 3] = numpy.inf
+    yield "not-finite", sweep.tobytes()
+
+
+def png(pixels, bits, colour, chunks=(), interlace=0):
+    """pixels: rows of bytes."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[colour]
+    width = len(pixels[0]) * 8 // (bits * channels)
+    header = struct.pack(">IIBBBBB", width, len(pixels), bits, colour, 0, 0, interlace)
+    lines = b"".join(bytes([i % 5 if i else 0]) + row for i, row in enumerate(pixels))
+    middle = b"".join(chunk(kind, data) for kind, data in chunks)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + middle + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b"")
+
+
+def depth_rows():
+    values = numpy.arange(5000, 5000 + 7 * 48, 7, dtype=">u2").reshape(6, 8)
+    values[2, 3], values[4, 4] = 0, 65535
+    return [row.tobytes() for row in values]
+
+
+def depth_png_files():
+    yield "depth", png(depth_rows(), 16, 0)
+    yield "chunks", png(depth_rows()[:2], 16, 0, ((b"gAMA", struct.pack(">I", 45455)), (b"tEXt", b"Title\0depth")))
+    yield "near", png([struct.pack(">4H", 1, 2, 3, 4)], 16, 0)
+    yield "grey-8", png([bytes(range(8))] * 2, 8, 0)
+
+
+def grey_png_files():
+    row = bytes(range(0, 240, 10))
+    yield "grey", png([row] * 3, 8, 0)
+    yield "rgb", png([row] * 5, 8, 2)
+    yield "rgba", png([row] * 2, 8, 6)
+    yield "palette", png([row[:4]] * 2, 8, 3, ((b"PLTE", bytes(90)),))
+    yield "grey-alpha", png([row] * 2, 8, 4)
+    yield "interlaced", png([row] * 2, 8, 0, interlace=1)
+
+
+def folder_of(files):
+    return b"".join(b"@" + name.encode() + b"\n" + content + b"\n" for name, content in files)
+
+
+def sequence_files():
+    image = png(depth_rows()[:2], 16, 0)
+    names = ("camera.json", "groundtruth.txt")
+    camera, truth = corpus_texts.CAMERA["open3d"], corpus_texts.TRAJECTORY["tum"]
+    index = b"# stamp path\n1.0 1.png\n1.5 missing.png\n"
+    yield "tum", folder_of((("1.png", image), ("depth.txt", index), *zip(names, (camera, truth))))
+    yield "tum-damaged-truth", folder_of((("depth.txt", index), ("groundtruth.txt", b"1 2 3\n")))
+    pose = corpus_texts.TRANSFORM["matrix"]
+    yield "7-scenes", folder_of((("frame-000000.depth.png", image), ("frame-000000.pose.txt", pose), ("frame-000001.depth.png", b""),
+                                 ("frame-000001.pose.txt", b"-1.#IND 0 0 0"), ("camera.txt", b"500 500 320 240")))
+    yield "numbered", folder_of((("depth1.png", image), ("1305031453.374112.PNG", b"x"), ("a.png", b"")))
+    yield "twice", folder_of((("1.png", image), ("01.png", image)))
+    yield "empty", folder_of((("readme", b""),))
+
+
+def align_files():
+    guess = struct.pack("<7f", 0.01, 0, 0, 0, 0, 0, 1)
+    plane = numpy.array([(x, y, 0 if x < 500 else y) for x in range(0, 1000, 125) for y in range(0, 1000, 125)], dtype="<i2")
+    for name, head in (("augmented", (0, 128, 2, 0x80)), ("paper-gicp", (0, 128, 1, 0xf1)), ("lengths", (0, 128, 62, 0x50))):
+        lengths = struct.pack("<3f", 0.3, 0.05, 0.4) if name == "lengths" else b""
+        yield name, bytes(head) + lengths + guess + plane.tobytes() + (plane[::-1] + 5).astype("<i2").tobytes()
+    yield "floats", bytes((1, 100, 0, 0x43)) + guess + POINTS.tobytes()
+    yield "line", bytes((0, 128, 2, 0x83)) + guess + b"".join(struct.pack("<3h", i, 0, 0) for i in range(40))
+    yield "equal-points", bytes((0, 128, 2, 0x83)) + guess + struct.pack("<3h", 7, 7, 7) * 40
+    yield "outlier", bytes((1, 200, 2, 0x40)) + guess + POINTS.tobytes() + struct.pack("<3f", 1e17, 0, 0) + POINTS.tobytes()
+
+
+FILES = {"ply": ply_files, "pcd": pcd_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files,
+         "grey_png": grey_png_files, "sequence": sequence_files, "align": align_files,
+         "xyz": corpus_texts.XYZ.items, "image_list": corpus_texts.IMAGE_LIST.items, "trajectory": corpus_texts.TRAJECTORY.items,
+         "transform": corpus_texts.TRANSFORM.items, "camera": corpus_texts.CAMERA.items,
+         "command_line": corpus_texts.COMMAND_LINE.items}
+
+
+def main():
+    corpus = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "corpus"
+    for target, files in FILES.items():
+        (corpus / target).mkdir(parents=True, exist_ok=True)
+        for name, content in files():
+            assert len(content) < 2048, (target, name)
+            (corpus / target / name).write_bytes(content)
+
+
+if __name__ == "__main__":
+    main()

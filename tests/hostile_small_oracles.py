@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""The oracles of what is no cloud: images, trajectories, lists, poses and cameras. See hostile_oracles.py."""
+
+import json
+import struct
+import zlib
+
+from hostile_oracles import Damaged, Holds, fields, not_blank, number, require, split_lines, text_of, without_bom
+
+
+def png_rows(data):
+    """Width, depth of a channel, channels, and the rows of a PNG, freed of their filters."""
+    require(data[:8] == b"\x89PNG\r\n\x1a\n")
+    at, packed, head = 8, b"", None
+    while True:
+        require(at + 12 <= len(data))
+        length, kind = struct.unpack_from(">I4s", data, at)
+        content = data[at + 8:at + 8 + length]
+        require(at + 12 + length <= len(data) and zlib.crc32(kind + content) == struct.unpack_from(">I", data, at + 8 + length)[0])
+        at += 12 + length
+        if kind == b"IHDR":
+            head = struct.unpack(">IIBBBBB", content)
+        packed += content if kind == b"IDAT" else b""
+        if kind == b"IEND":
+            break
+    width, height, bits, colour = head[:4]
+    channels = {0: 1, 2: 3, 4: 2, 6: 4}[colour]
+    stride = width * channels * bits // 8
+    # No more than the pixels: what lies behind them concerns nobody, damaged or not.
+    raw = zlib.decompressobj().decompress(packed, height * (stride + 1))
+    return width, bits, channels, unfiltered(raw, stride, height, channels * bits // 8)
+
+
+def unfiltered(raw, stride, height, step):
+    require(len(raw) >= height * (stride + 1))
+    rows, above = [], bytes(stride)
+    for row in range(height):
+        kind, line = raw[row * (stride + 1)], bytearray(raw[row * (stride + 1) + 1:(row + 1) * (stride + 1)])
+        for i in range(stride):
+            left, corner = (line[i - step], above[i - step]) if i >= step else (0, 0)
+            line[i] = line[i] + (0, left, above[i], (left + above[i]) // 2, paeth(left, above[i], corner))[kind] & 255
+        rows.append(bytes(line))
+        above = bytes(line)
+    return rows
+
+
+def paeth(left, above, corner):
+    guess = left + above - corner
+    return min((left, above, corner), key=lambda value: abs(guess - value))
+
+
+def depth_png(data):
+    width, bits, channels, rows = png_rows(data)
+    require(bits == 16 and channels == 1)
+    values = [value for row in rows for (value,) in struct.iter_unpack(">H", row)]
+    return Holds(len(values), [value / 1000.0 for value in values if value not in (0, 65535)])
+
+
+def grey_png(data):
+    width, bits, channels, rows = png_rows(data)
+    require(bits == 8 and channels != 2)
+    pixels = [row[i:i + channels] for row in rows for i in range(0, len(row), channels)]
+    return Holds(len(pixels), [(p[0] if channels == 1 else 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / 255.0 for p in pixels])
+
+
+def rows_of_numbers(data):
+    """Of each line that is more than a comment."""
+    contents = [line.split("#")[0] for line in split_lines(text_of(without_bom(data)))]
+    return [[number(word) for word in fields(line)] for line in not_blank(contents)]
+
+
+def trajectory(data):
+    rows = rows_of_numbers(data)
+    require(rows and all(len(row) == 8 for row in rows))
+    stamps = [row[0] for row in rows]
+    require(all(first < second for first, second in zip(stamps, stamps[1:])))
+    return Holds(len(rows), [sum(map(abs, row[1:4])) for row in rows])
+
+
+def image_list(data):
+    found = [line.strip(" \t") for line in not_blank(split_lines(text_of(without_bom(data))))]
+    found = [line.replace("\t", " ").split(" ", 1) for line in found if not line.startswith("#")]
+    require(all(len(line) == 2 for line in found))
+    return Holds(len(found), [abs(number(line[0])) for line in found])
+
+
+def numbers_under(data, key):
+    """The numbers in the array, of rows or flat, under a key of a JSON object."""
+    value = json.loads(without_bom(data).decode("utf-8"))[key]
+    return [float(x) for row in value for x in (row if isinstance(row, list) else [row])]
+
+
+def is_json(data):
+    return without_bom(data).lstrip(b" \t\r\n").startswith(b"{")
+
+
+def transform(data):
+    numbers = numbers_under(data, "T_target_source") if is_json(data) else sum(rows_of_numbers(data), [])
+    require(len(numbers) in (7, 12, 16))
+    position = numbers[:3] if len(numbers) == 7 else numbers[3:12:4]
+    return Holds(1, [sum(map(abs, position))])
+
+
+def camera(data):
+    numbers = numbers_under(data, "intrinsic_matrix") if is_json(data) else sum(rows_of_numbers(data), [])
+    require(len(numbers) in (4, 9))
+    if is_json(data):
+        numbers = [numbers[0], numbers[4], numbers[6], numbers[7]]
+    elif len(numbers) == 9 and numbers[1] == 0.0:
+        numbers = [numbers[0], numbers[4], numbers[2], numbers[5]]
+    return Holds(1, [sum(map(abs, numbers[:4]))])
+
+
+__all__ = ["Damaged", "depth_png", "grey_png", "trajectory", "image_list", "transform", "camera"]
