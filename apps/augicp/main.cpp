@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "apps/augicp/commands.h"
+#include "apps/augicp/interruption.h"
 #include "augicp/core/error.h"
 
 namespace augicp::app {
@@ -23,7 +24,7 @@ int run(int argc, char** argv) {
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.require_subcommand(1);
   app.footer("Exit codes: 0 success, 1 internal error, 2 usage, 3 unreadable input or unwritable output, 4 registration failed,\n"
-             "            5 result found but degenerate or doubtful, 130 interrupted.");
+             "            5 result found but degenerate or doubtful, 130 interrupted, 143 terminated.");
   int exit_code = kSuccess;
   add_align_command(app, exit_code);
   add_evaluate_command(app, exit_code);
@@ -45,6 +46,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace augicp::app;
   try {
+    end_on_signals();
     const int code = run(argc, argv);
     // A full disk behind a redirection must not look like success.
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail("standard output cannot be written", kInvalidInput);
