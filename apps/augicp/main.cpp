@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <string>
 
 #include "apps/augicp/commands.h"
 #include "apps/augicp/interruption.h"
@@ -15,6 +16,19 @@ namespace {
 int fail(const char* message, ExitCode code) {
   fmt::print(stderr, "augicp: {}\n", message);
   return code;
+}
+
+// CLI11 takes whatever follows an option as its value, and `--json --quiet` would write a file of that name.
+void refuse_options_as_values(CLI::App& app) {
+  const CLI::Validator no_option(
+      [](const std::string& value) {
+        return value.starts_with("--") ? fmt::format("expected a value, found {} (a file of that name is ./{})", value, value)
+                                       : std::string();
+      },
+      "");
+  for (CLI::Option* option : app.get_options())
+    if (option->get_items_expected_max() > 0 && !option->get_positional()) option->check(no_option);
+  for (CLI::App* subcommand : app.get_subcommands({})) refuse_options_as_values(*subcommand);
 }
 
 int run(int argc, char** argv) {
@@ -32,6 +46,7 @@ int run(int argc, char** argv) {
   add_info_command(app, exit_code);
   add_odometry_command(app, exit_code);
   add_surface_command(app, exit_code);
+  refuse_options_as_values(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
