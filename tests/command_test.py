@@ -100,7 +100,7 @@ class CommandTest(unittest.TestCase):
             again = run("align", moved, paths[1], "--json", "-")
             self.assertEqual(again.returncode, 0, again.stderr)
 
-    def test_swapping_gives_the_inverse(self):
+    def test_swapping_gives_the_inverse(self):  # robustness 16
         truth = matrix(ROOM / "T_target_source.txt")
         turned = [[truth[j][i] for j in range(3)] for i in range(3)]
         inverse = [turned[i] + [-sum(turned[i][k] * truth[k][3] for k in range(3))] for i in range(3)] + [[0, 0, 0, 1]]
@@ -239,7 +239,7 @@ class CommandTest(unittest.TestCase):
             if expected in (2, 3):
                 self.assertNotEqual(finished.stderr, "", words)
 
-    def test_a_cloud_against_itself_stays(self):
+    def test_a_cloud_against_itself_stays(self):  # robustness 10
         finished = run("align", ROOM / "source.ply", ROOM / "source.ply", "--json", "-")
         result = json.loads(finished.stdout)
         self.assertEqual((finished.returncode, result["status"]), (0, "converged"))

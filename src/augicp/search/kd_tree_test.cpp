@@ -187,7 +187,7 @@ TEST(KdTree, ManyEqualPointsMakeNoDeepTree) {
   EXPECT_EQ(found.size(), 100000u);
 }
 
-// Without a bound on the branches that are entered, these queries would look at 10^10 points.
+// robustness 10: without a bound on the branches that are entered, these queries would look at 10^10 points.
 TEST(KdTree, ManyEqualPointsCostNoMoreThanOthers) {
   const Cloud cloud = equal_points(100000);
   const KdTree tree(cloud);
