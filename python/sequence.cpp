@@ -35,6 +35,7 @@ void bind_sequence(py::module_& module) {
   type.def_property_readonly("frames", &frames, "list of (stamp in seconds, pathlib.Path).");
   type.def_readonly("depth_scale", &DepthSequence::depth_scale, "The layout's: TUM 5000, others 1000.");
   type.def_readonly("camera", &DepthSequence::camera, "The folder's Camera, or None where it names none.");
+  type.def_readonly("camera_problem", &DepthSequence::camera_problem, "Why there is none though there is a file of it.");
   type.def_property_readonly("truth", &truth, "The true Trajectory, or None.");
   type.def_readonly("truth_problem", &DepthSequence::truth_problem, "Why there is none though there is a file of it.");
   type.def("__len__", [](const DepthSequence& sequence) { return sequence.frames.size(); });

@@ -45,6 +45,11 @@ def write_wall(path, shift):
     path.write_text("\n".join(lines) + "\n")
 
 
+def binary_points(path):
+    """Of a PLY file with three floats a point, as data/room_pair has them."""
+    return struct.iter_unpack("<fff", path.read_bytes().split(b"end_header\n", 1)[1])
+
+
 def matrix(path):
     rows = [line.split() for line in Path(path).read_text().splitlines() if not line.startswith("#")]
     return [[float(value) for value in row] for row in rows]
@@ -77,7 +82,25 @@ class CommandTest(unittest.TestCase):
         identity = [[float(i == j) for j in range(4)] for i in range(4)]
         self.assertLess(distance(json.loads((self.folder / "again.json").read_text())["T_target_source"], identity), 0.005)
 
-    def test_swapping_gives_the_inverse(self):
+    def test_far_coordinates_keep_their_millimetres(self):  # robustness 15
+        source, target = (list(binary_points(ROOM / name)) for name in ("source.ply", "target.ply"))
+        truth = matrix(ROOM / "T_target_source.txt")
+        for offset in (1e3, 1e6, 1e7):
+            paths = self.folder / "far_source.xyz", self.folder / "far_target.xyz"
+            for path, points in zip(paths, (source, target)):
+                path.write_text("".join(f"{x + offset!r} {y - offset!r} {z!r}\n" for x, y, z in points))
+            moved = self.folder / "moved.ply"
+            finished = run("align", *paths, "--json", "-", "--output", moved)
+            self.assertEqual(finished.returncode, 0, finished.stderr)
+            pose = json.loads(finished.stdout)["T_target_source"]
+            place = [sum(pose[i][k] * offset * (1, -1, 0)[k] for k in range(3)) + pose[i][3] for i in range(3)]
+            expected = [truth[i][3] + offset * (1, -1, 0)[i] for i in range(3)]
+            self.assertLess(math.dist(place, expected), 0.02)
+            # The moved cloud is written where the target is, and is read again without loss.
+            again = run("align", moved, paths[1], "--json", "-")
+            self.assertEqual(again.returncode, 0, again.stderr)
+
+    def test_swapping_gives_the_inverse(self):  # robustness 16
         truth = matrix(ROOM / "T_target_source.txt")
         turned = [[truth[j][i] for j in range(3)] for i in range(3)]
         inverse = [turned[i] + [-sum(turned[i][k] * truth[k][3] for k in range(3))] for i in range(3)] + [[0, 0, 0, 1]]
@@ -223,7 +246,7 @@ class CommandTest(unittest.TestCase):
             if expected in (2, 3):
                 self.assertNotEqual(finished.stderr, "", words)
 
-    def test_a_cloud_against_itself_stays(self):
+    def test_a_cloud_against_itself_stays(self):  # robustness 10
         finished = run("align", ROOM / "source.ply", ROOM / "source.ply", "--json", "-")
         result = json.loads(finished.stdout)
         self.assertEqual((finished.returncode, result["status"]), (0, "converged"))

@@ -8,6 +8,7 @@
 #include "apps/augicp/beyond_paper.h"
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
+#include "apps/augicp/interruption.h"
 #include "apps/augicp/names.h"
 #include "apps/augicp/page_align.h"
 #include "apps/augicp/progress.h"
@@ -84,8 +85,11 @@ int run_align(AlignArguments arguments) {
   const Rigid3& pose = report.result.target_from_source;
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
-  if (!arguments.transform.empty()) write_transform(arguments.transform, pose);
-  if (!arguments.output.empty()) write_cloud(arguments.output, transform(run.source_as_read.cloud, pose));
+  if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
+  if (!arguments.output.empty()) {
+    const Cloud moved = transform(run.source_as_read.cloud, pose);
+    write_whole([&] { write_cloud(arguments.output, moved); });
+  }
   if (!arguments.page.empty()) write_align_page(arguments.page, {report, run.initial, run.source, run.target});
   return exit_code_for(report.result.status);
 }

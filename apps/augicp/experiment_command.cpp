@@ -3,6 +3,7 @@
 
 #include "apps/augicp/commands.h"
 #include "apps/augicp/experiment_commands.h"
+#include "apps/augicp/interruption.h"
 #include "apps/augicp/names.h"
 #include "augicp/io/atomic_file.h"
 
@@ -21,7 +22,7 @@ void write_csv(const std::string& destination, const std::string& text) {
   if (destination == "-")
     fmt::print("{}", text);
   else
-    write_file(destination, text);
+    write_whole([&] { write_file(destination, text); });
 }
 
 void add_experiment_command(CLI::App& app, int& exit_code) {

@@ -75,6 +75,7 @@ Input read_input(const std::filesystem::path& path, const InputOptions& options,
 }
 
 DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for) {
+  if (asked_for.empty() && !sequence.camera_problem.empty()) throw IoError(sequence.camera_problem);
   if (asked_for.empty() && !sequence.camera)
     throw std::invalid_argument(fmt::format("{}: which camera? Give --camera: a file, numbers \"fx fy cx cy\" or one of {}",
                                             folder, fmt::join(camera_names(), " ")));

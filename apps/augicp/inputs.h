@@ -31,7 +31,7 @@ struct Input {
 Input read_input(const std::filesystem::path& path, const InputOptions& options, const std::filesystem::path& grey_path = {});
 
 // The camera asked for, see read_camera, or where none is the sequence's own. Throws std::invalid_argument where that has
-// none; folder is for the message.
+// none and IoError where its file is damaged; folder is for the message.
 DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for);
 
 // Throws std::invalid_argument unless the output is empty (not asked for) or ends in one of these, before any work is done.

@@ -7,6 +7,7 @@
 
 #include "apps/augicp/command_line.h"
 #include "apps/augicp/commands.h"
+#include "apps/augicp/interruption.h"
 #include "augicp/core/error.h"
 
 namespace augicp::app {
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace augicp::app;
   try {
+    end_on_signals();
     const int code = run(argc, argv);
     // A full disk behind a redirection must not look like success.
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail("standard output cannot be written", kInvalidInput);

@@ -10,6 +10,7 @@
 
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
+#include "apps/augicp/interruption.h"
 #include "apps/augicp/names.h"
 #include "apps/augicp/page_odometry.h"
 #include "apps/augicp/progress.h"
@@ -148,16 +149,19 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
-  write_file(folder / "config.toml", effective_config(command, sequence, camera, folder));
+  const std::string config = effective_config(command, sequence, camera, folder);
+  write_whole([&] { write_file(folder / "config.toml", config); });
   // The options come first, so that a folder that cannot be written to costs no run; what another run left goes.
   for (const char* name : {"trajectory.txt", "frames.csv", "metrics.json"}) fs::remove(folder / name, error);
 
   std::vector<KeptModel> models;
   const OdometryRun run = track_sequence(sequence, camera, arguments, models);
   require_readable_frames(run);
-  write_tum_trajectory(folder / "trajectory.txt", trajectory_of(run));
-  write_file(folder / "frames.csv", frames_csv(run));
-  write_json((folder / "metrics.json").string(), metrics_json(run));
+  write_whole([&] {
+    write_tum_trajectory(folder / "trajectory.txt", trajectory_of(run));
+    write_file(folder / "frames.csv", frames_csv(run));
+    write_json((folder / "metrics.json").string(), metrics_json(run));
+  });
   const double depth_scale = arguments.depth_scale.value_or(sequence.depth_scale);
   if (!arguments.page.empty()) write_odometry_page(arguments.page, {run, sequence, depth_scale, models});
   if (arguments.json == "-") write_json("-", metrics_json(run));

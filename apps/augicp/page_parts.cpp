@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "apps/augicp/interruption.h"
 #include "apps/augicp/report_bundle.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/parse_number.h"
@@ -90,7 +91,8 @@ void write_page(const std::string& path, const PageHead& head, const std::string
   std::string text;
   if (!bundle.script.empty()) text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   const std::string footer = "<footer>augicp " AUGICP_VERSION "</footer>\n";
-  write_file(path, to_html({"augicp: " + head.title, header_html(head) + body + footer, text}, bundle));
+  const std::string html = to_html({"augicp: " + head.title, header_html(head) + body + footer, text}, bundle);
+  write_whole([&] { write_file(path, html); });
 }
 
 }  // namespace augicp::app

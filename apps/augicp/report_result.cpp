@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "apps/augicp/interruption.h"
 #include "apps/augicp/names.h"
 #include "augicp/io/atomic_file.h"
 
@@ -186,7 +187,7 @@ std::string to_text(const AlignReport& report) {
 void write_json(const std::string& destination, const nlohmann::ordered_json& json) {
   const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   if (destination != "-") {
-    write_file(destination, text);
+    write_whole([&] { write_file(destination, text); });
     return;
   }
   fmt::print("{}", text);

@@ -6,6 +6,7 @@
 
 #include "apps/augicp/commands.h"
 #include "apps/augicp/inputs.h"
+#include "apps/augicp/interruption.h"
 #include "apps/augicp/names.h"
 #include "augicp/core/error.h"
 #include "augicp/io/write_cloud.h"
@@ -50,7 +51,7 @@ int run_surface(const SurfaceArguments& arguments) {
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
   std::vector<Colour> colours(cloud.size(), colour_of(Structure::None));
   std::transform(cloud.structures.begin(), cloud.structures.end(), colours.begin(), colour_of);
-  write_ply(arguments.output, cloud, colours);
+  write_whole([&] { write_ply(arguments.output, cloud, colours); });
   if (!arguments.quiet)
     fmt::print("points   {}, ball radius {:.4g} m\nplanar   {:.1f} %\nedge     {:.1f} %\nnone     {:.1f} %\n", cloud.size(),
                lengths.radius, percent(cloud, Structure::Planar), percent(cloud, Structure::Edge),

@@ -110,6 +110,7 @@ TEST(Align, IsExactWhereAnExactAnswerExists) {
   }
 }
 
+// robustness 10: a cloud against itself.
 TEST(Align, ACloudMeetsItselfAtTheIdentity) {
   const View view = view_of(testing::room());
   const AlignResult result = align(view.cloud(), NearestMatcher(view.cloud()), Rigid3{}, near_options());
@@ -280,6 +281,20 @@ TEST(Align, FarOriginsCostNoPrecision) {
   }
 }
 
+// robustness 16: after its steps the result is a rotation still.
+TEST(Align, ResultIsARigidMotion) {
+  const View target = view_of(testing::room()), source = view_of(testing::room(), kSmallMotion);
+  AlignOptions options = near_options();
+  options.max_iterations = 30;
+  options.min_translation_step = options.min_rotation_step = 0.0;
+  const AlignResult result = align(source.cloud(), NearestMatcher(target.cloud()), Rigid3{}, options);
+  ASSERT_EQ(result.iterations, 30);
+  const Mat3d rotation = result.target_from_source.rotation.toRotationMatrix();
+  EXPECT_LT((rotation * rotation.transpose() - Mat3d::Identity()).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_NEAR(rotation.determinant(), 1.0, 1e-12);
+}
+
+// robustness 16: moving both clouds moves the result with them.
 TEST(Align, ResultMovesWithBothClouds) {
   const View target = view_of(testing::room()), source = view_of(testing::room(), kSmallMotion);
   const Rigid3 expected =

@@ -94,7 +94,7 @@ DepthCamera read_camera(const std::string& name_or_path_or_numbers) {
     constexpr std::uint64_t kMaxBytes = 1 << 20;
     return parse_camera(read_bytes(name_or_path_or_numbers, kMaxBytes));
   }
-  if (starts_with_a_number(name_or_path_or_numbers)) return parse_camera({"camera", name_or_path_or_numbers});
+  if (starts_with_a_number(name_or_path_or_numbers)) return parse_camera({in_quotes(name_or_path_or_numbers), name_or_path_or_numbers});
   throw IoError(fmt::format("camera {}: no such file, and no known name. Known are {}",
                             in_quotes(name_or_path_or_numbers), fmt::join(camera_names(), " ")));
 }

@@ -52,21 +52,35 @@ std::optional<Trajectory> seven_scenes_truth(const std::vector<DepthFrameFile>& 
   return truth.empty() ? std::nullopt : std::optional(truth);
 }
 
-std::optional<DepthCamera> camera_in(const fs::path& folder) {
-  for (const char* name : {"camera.json", "camera.txt", "camera-intrinsics.txt"})
-    if (is_there(folder / name)) return read_camera((folder / name).string());
-  return std::nullopt;
+// Instead of the layout's, where the folder names one. A damaged file does not keep those who know the camera from tracking.
+void read_camera_in(const fs::path& folder, DepthSequence& sequence) {
+  for (const char* name : {"camera.json", "camera.txt", "camera-intrinsics.txt"}) {
+    if (!is_there(folder / name)) continue;
+    sequence.camera.reset();
+    try {
+      sequence.camera = read_camera((folder / name).string());
+    } catch (const IoError& error) {
+      sequence.camera_problem = error.what();
+    }
+    return;
+  }
 }
 
 DepthSequence tum_sequence(const fs::path& folder) {
-  DepthSequence sequence{"TUM", parse_image_list(read_bytes(folder / "depth.txt")), kTumDepthScale, camera_in(folder), {}, {}};
+  DepthSequence sequence;
+  sequence.layout = "TUM";
+  sequence.frames = parse_image_list(read_bytes(folder / "depth.txt"));
+  sequence.depth_scale = kTumDepthScale;
   read_truth(folder, sequence);
   return sequence;
 }
 
-DepthSequence seven_scenes_sequence(const fs::path& folder, std::vector<DepthFrameFile> frames) {
-  DepthSequence sequence{"7-Scenes", std::move(frames), kUsualDepthScale, camera_by_name("7scenes"), {}, {}};
-  if (const auto camera = camera_in(folder)) sequence.camera = camera;
+DepthSequence seven_scenes_sequence(std::vector<DepthFrameFile> frames) {
+  DepthSequence sequence;
+  sequence.layout = "7-Scenes";
+  sequence.frames = std::move(frames);
+  sequence.depth_scale = kUsualDepthScale;
+  sequence.camera = camera_by_name("7scenes");
   sequence.truth = seven_scenes_truth(sequence.frames);
   return sequence;
 }
@@ -81,13 +95,15 @@ DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
   if (is_there(folder / "depth.txt")) {
     sequence = tum_sequence(folder);
   } else if (auto frames = numbered_files(folder, kSevenScenesEnding, frames_per_s); !frames.empty()) {
-    sequence = seven_scenes_sequence(folder, std::move(frames));
+    sequence = seven_scenes_sequence(std::move(frames));
   } else {
     const fs::path images = fs::is_directory(folder / "depth", ignored) ? folder / "depth" : folder;
-    sequence = {"numbered", numbered_files(images, ".png", frames_per_s), kUsualDepthScale, camera_in(folder),
-                {}, {}};
+    sequence.layout = "numbered";
+    sequence.frames = numbered_files(images, ".png", frames_per_s);
+    sequence.depth_scale = kUsualDepthScale;
     read_truth(folder, sequence);
   }
+  read_camera_in(folder, sequence);
   if (sequence.frames.empty())
     throw io_error(folder, "expected depth.txt, frame-000000.depth.png ... or numbered .png files, found no image");
   return sequence;

@@ -114,6 +114,15 @@ TEST(DepthSequence, ADamagedTruthIsToldAndDoesNotStopAnyone) {
   EXPECT_THAT(sequence.truth_problem, HasSubstr("groundtruth.txt: line 1"));
 }
 
+TEST(DepthSequence, ADamagedCameraIsToldAndIsNotTheLayouts) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "frame-000000.depth.png", "");
+  write_file(folder / "camera.json", "{");
+  const DepthSequence sequence = read_depth_sequence(folder.path());
+  EXPECT_FALSE(sequence.camera);
+  EXPECT_THAT(sequence.camera_problem, HasSubstr("camera.json: camera: the JSON is damaged"));
+}
+
 TEST(DepthSequence, AFoldersCameraComesWhole) {
   const testing::TemporaryFolder folder;
   write_file(folder / "frame-000000.depth.png", "");

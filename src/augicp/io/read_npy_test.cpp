@@ -97,6 +97,7 @@ TEST(ReadNpy, HeadersThatMakeNoSenseAreErrors) {
   for (const auto& [bytes, message] : cases) expect_refused("a.npy", bytes, message);
 }
 
+// robustness 15
 TEST(ReadNpy, FarCoordinatesLoseNothing) {
   testing::expect_far_coordinates_survive(
       "a.npy", [](const std::vector<double>& v) { return npy("<f8", "False", "(3, 3)", packed(v)); });

@@ -218,6 +218,7 @@ TEST(ReadPcd, HeadersThatMakeNoSenseAreErrors) {
   for (const auto& [bytes, message] : cases) expect_refused("a.pcd", bytes, message);
 }
 
+// robustness 15
 TEST(ReadPcd, FarCoordinatesLoseNothing) {
   const std::string header = "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 3\nDATA ";
   testing::expect_far_coordinates_survive(

@@ -191,6 +191,7 @@ TEST(ReadPly, HeadersThatMakeNoSenseAreErrors) {
                  "expected a list length, found -1");
 }
 
+// robustness 15
 TEST(ReadPly, FarCoordinatesLoseNothing) {
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\nend_header\n";

@@ -87,6 +87,7 @@ TEST(ReadXyz, LinesThatAreNoPointAreErrors) {
   for (const auto& [bytes, message] : cases) expect_refused("a.xyz", bytes, message);
 }
 
+// robustness 15
 TEST(ReadXyz, FarCoordinatesLoseNothing) { testing::expect_far_coordinates_survive("a.xyz", testing::rows_of_three); }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(Judge, AWrongPoseHasWitnessesAgainstIt) {
   EXPECT_GT(strain(evidence_at(clouds, pair.target_from_source * off)), 2.0);
 }
 
-// Swapping the clouds swaps the witnesses, and so leaves the verdict.
+// robustness 16: swapping the clouds swaps the witnesses, and so leaves the verdict.
 TEST(Judge, SwappingChangesNothing) {
   const Pair pair = near_pair();
   const Evidence one = evidence_at(pair, pair.target_from_source);

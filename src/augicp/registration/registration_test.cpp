@@ -10,6 +10,7 @@
 #include <random>
 #include <stop_token>
 #include <thread>
+#include <tuple>
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/error.h"
@@ -129,6 +130,28 @@ TEST(Registration, HopelessInputFails) {
       EXPECT_THAT(result.target_from_source, NearPose(guess, 0.0, 0.0));
     }
   }
+}
+
+// robustness 10, 12: clouds on which what is quick on others could take the square of the time. With as many points as here
+// that would be hours.
+TEST(Registration, PathologicalCloudsEnd) {
+  constexpr std::size_t kCount = 100000;
+  const auto cloud_of = [](const auto& place) {
+    Cloud cloud;
+    for (std::size_t i = 0; i < kCount; ++i) cloud.points.push_back(place(i));
+    return scan_of(cloud);
+  };
+  const Cloud room = room_clouds().source.cloud;
+  const auto in_room = [&](std::size_t i) { return room.points[i % room.size()]; };
+  const auto on_line = [](std::size_t i) { return Vec3f(1e-4f * static_cast<float>(i) * Vec3f(1.0f, 0.3f, 0.2f)); };
+  const Vec3f far(1e6f, 0.0f, 0.0f);
+  const std::tuple<const char*, Scan, AlignStatus> cases[] = {
+      {"equal points", cloud_of([](std::size_t) { return Vec3f(1.0f, 2.0f, 3.0f); }), AlignStatus::TooFewPairs},
+      {"a line", cloud_of(on_line), AlignStatus::Degenerate},
+      {"a far outlier", cloud_of([&](std::size_t i) { return i == 0 ? far : in_room(i); }), AlignStatus::Converged},
+      {"duplicates", cloud_of([&](std::size_t i) { return in_room(i < kCount / 2 ? i : 0); }), AlignStatus::Converged}};
+  for (const auto& [name, scan, expected] : cases)
+    EXPECT_EQ(name_of(register_scans(scan, scan).status), name_of(expected)) << name;
 }
 
 // One "no reading" at zero in a cloud of far coordinates must not cost the other points.

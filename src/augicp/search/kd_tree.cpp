@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/search/kd_tree.h"
 
+#include <cmath>
 #include <nanoflann.hpp>
 
 namespace augicp {
@@ -39,6 +40,25 @@ struct BallResultSet {
   float worstDist() const { return radius_sq; }
 };
 
+// The first of the nearest. nanoflann enters every branch that may hold a point as near as the worst one kept, so that among
+// many equal points each query would look at all of them: from here on a branch has to promise more than rounding can hide.
+struct NearestResultSet {
+  using DistanceType = float;
+  using IndexType = std::uint32_t;
+  static constexpr float kRounding = 1e-6f;
+  Neighbour best;  // with the gate's distance until there is one
+  bool is_found = false;
+
+  std::size_t size() const { return is_found ? 1 : 0; }
+  bool full() const { return true; }
+  bool addPoint(float distance_sq, std::uint32_t index) {
+    if (distance_sq < best.distance_sq) best = {index, distance_sq}, is_found = true;
+    return true;
+  }
+  // Below zero once a point is found at distance zero: nothing is nearer.
+  float worstDist() const { return is_found ? std::nextafter((1.0f - kRounding) * best.distance_sq, -1.0f) : best.distance_sq; }
+};
+
 }  // namespace
 
 struct KdTree::Index {
@@ -57,14 +77,11 @@ KdTree& KdTree::operator=(KdTree&&) noexcept = default;
 
 std::optional<Neighbour> KdTree::nearest(const Vec3f& query, float max_distance_sq) const {
   if (index_->adaptor.points.empty()) return std::nullopt;
-  Neighbour best;
-  nanoflann::KNNResultSet<float, std::uint32_t> result(1);
-  result.init(&best.index, &best.distance_sq);
   // The result set prunes by its worst distance: starting it at the gate skips all that lies beyond.
-  best.distance_sq = max_distance_sq;
+  NearestResultSet result{{0, max_distance_sq}};
   index_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
-  if (result.size() == 0 || !(best.distance_sq < max_distance_sq)) return std::nullopt;
-  return best;
+  if (!result.is_found) return std::nullopt;
+  return result.best;
 }
 
 std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count) const {

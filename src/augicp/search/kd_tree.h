@@ -16,7 +16,8 @@ struct Neighbour {
 };
 
 // Nearest neighbours among the points of a cloud, which must outlive the tree and stay as it is. Queries are relative to
-// the cloud's origin, as its points are, and may run concurrently.
+// the cloud's origin, as its points are, and may run concurrently. Coordinates must be below 1e18, as those of files are:
+// then the tree's depth is bounded, however the points crowd together.
 class KdTree {
  public:
   explicit KdTree(const Cloud& cloud);
@@ -24,7 +25,8 @@ class KdTree {
   KdTree(KdTree&&) noexcept;
   KdTree& operator=(KdTree&&) noexcept;
 
-  // The nearest point at a distance below the square root of max_distance_sq, if there is one.
+  // The nearest point at a distance below the square root of max_distance_sq, if there is one. Squared distances that
+  // differ by less than a millionth are equal.
   std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq) const;
 
   // The count nearest points, nearest first; fewer where the cloud has fewer.

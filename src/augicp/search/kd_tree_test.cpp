@@ -2,6 +2,7 @@
 #include "augicp/search/kd_tree.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,23 @@ std::vector<Vec3f> queries() {
   std::vector<Vec3f> queries = random_points(30, 1.5, 5).points;
   queries.insert(queries.end(), {{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.1f, 0.2f, 0.3f}, {9e5f, 10.0f, 0.0f}});
   return queries;
+}
+
+// A tree a thousand times deeper than it should be has no room in this.
+template <typename Work>
+void run_with_small_stack(Work work) {
+  constexpr std::size_t kStackBytes = 1 << 20;
+  pthread_attr_t attributes;
+  pthread_t thread;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, kStackBytes), 0);
+  const auto start = [](void* argument) -> void* {
+    (*static_cast<Work*>(argument))();
+    return nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, start, &work), 0);
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
 }
 
 TEST(KdTree, NearestIsTheBruteForceOne) {
@@ -167,6 +185,32 @@ TEST(KdTree, ManyEqualPointsMakeNoDeepTree) {
   std::vector<Neighbour> found;
   tree.within(cloud.points[0], 1.0f, found);
   EXPECT_EQ(found.size(), 100000u);
+}
+
+// robustness 10: without a bound on the branches that are entered, these queries would look at 10^10 points.
+TEST(KdTree, ManyEqualPointsCostNoMoreThanOthers) {
+  const Cloud cloud = equal_points(100000);
+  const KdTree tree(cloud);
+  for (int i = 0; i < 100000; ++i) {
+    const auto shift = static_cast<float>(i % 7) * 0.1f;  // also zero
+    const Vec3f query = cloud.points.front() + Vec3f(shift, 3.0f * shift, -0.7f * shift);
+    ASSERT_FLOAT_EQ(tree.nearest(query, kFar)->distance_sq, distance_sq(cloud.points.front(), query));
+  }
+}
+
+// Half of the points nearer to zero than the other half, and so on down to the smallest numbers: a tree that splits in the
+// middle becomes as deep as floats have exponents. In a thread with a small stack, which a deeper one would overflow.
+TEST(KdTree, PointsThatCrowdTogetherMakeNoDeepTree) {
+  Cloud cloud = equal_points(1000);
+  for (int exponent = -149; exponent < 59; ++exponent)
+    for (int i = 0; i < 500; ++i) {
+      const float x = std::ldexp(1.0f + 0.001f * static_cast<float>(i), exponent);
+      cloud.points.emplace_back(i % 3 == 0 ? x : 0.0f, i % 3 == 1 ? -x : 0.0f, i % 3 == 2 ? x : 0.0f);
+    }
+  run_with_small_stack([&] {
+    const KdTree tree(cloud);
+    EXPECT_EQ(tree.nearest(cloud.points.front(), kFar)->distance_sq, 0.0f);
+  });
 }
 
 TEST(KdTree, StillAnswersWhenMoved) {

@@ -2,6 +2,7 @@
 #include "augicp/surface/ball_neighbourhood.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
@@ -20,6 +21,15 @@ void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& 
     found = tree.nearest_k(point, options.min_points);
     std::erase_if(found, [&](const Neighbour& n) { return !(n.distance_sq < max_radius_sq); });
   }
+}
+
+// Lists of neighbours take four bytes each. A ball of four voxels, as registration has it, holds 300 points at most; where
+// there are many more, all of them on average, the cloud was not thinned, and its lists would fill the memory.
+constexpr std::size_t kMaxNeighboursPerPoint = 512;
+constexpr std::size_t kFewNeighbours = std::size_t{1} << 24;  // of any cloud: 64 MB
+
+std::size_t max_neighbours(std::size_t num_points) {
+  return std::max(kFewNeighbours, kMaxNeighboursPerPoint * num_points);
 }
 
 // In index order: sums then do not depend on the shape of the tree.
@@ -54,6 +64,7 @@ BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& opti
   const KdTree tree(cloud);
   const std::size_t num_blocks = (cloud.size() + kPointsPerBlock - 1) / kPointsPerBlock;
   std::vector<std::vector<std::uint32_t>> of_block(num_blocks);
+  std::atomic<std::size_t> num_neighbours{0};
   for_each_block(
       cloud.size(), num_threads,
       [&](std::size_t begin, std::size_t end) {
@@ -62,6 +73,8 @@ BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& opti
         for (std::size_t i = begin; i < end; ++i) {
           find_neighbours(tree, cloud.points[i], options, found);
           begin_[i + 1] = found.size();
+          require(num_neighbours.fetch_add(found.size()) + found.size() <= max_neighbours(cloud.size()), "radius",
+                  options.radius, "the ball holds more than 512 points on average; thin the cloud, or use a smaller ball");
           append_sorted(found, neighbours);
         }
       },

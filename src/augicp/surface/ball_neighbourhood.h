@@ -18,6 +18,7 @@ struct BallOptions {
 };
 
 // Section 4.1 for any cloud: the points in a fixed ball, found with a kd-tree. The cloud must outlive it.
+// Memory is bounded: throws std::invalid_argument where the balls hold more than 512 points on average, and 2^24 together.
 class BallNeighbourhood : public Neighbourhood {
  public:
   BallNeighbourhood(const Cloud& cloud, const BallOptions& options, int num_threads);

@@ -87,5 +87,14 @@ TEST(BallNeighbourhood, RefusesBadOptions) {
     EXPECT_THROW(BallNeighbourhood(random_cloud(3, 1), options, 0), std::invalid_argument);
 }
 
+// A million points in one place would have 10^12 neighbours. Refused early, by any number of threads.
+TEST(BallNeighbourhood, ListsThatWouldFillTheMemoryAreRefused) {
+  Cloud equal;
+  equal.points.assign(4200, Vec3f(1.0f, 2.0f, 3.0f));  // the square is above 2^24
+  for (int num_threads : {1, 2, 3}) EXPECT_THROW(BallNeighbourhood(equal, {0.1}, num_threads), std::invalid_argument);
+  equal.points.resize(4000);
+  EXPECT_NO_THROW(BallNeighbourhood(equal, {0.1}, 0));
+}
+
 }  // namespace
 }  // namespace augicp
