@@ -85,8 +85,8 @@ std::vector<Correspondence> nearest_slowly(const Cloud& source, const Cloud& tar
 }
 
 std::vector<Correspondence> projective_slowly(const Cloud& source, const OrganizedCloud& target, const Rigid3& pose,
-                                              const Gates& gates) {
-  const IndexImage seen = project(source, pose, kCamera, target.index.width, target.index.height, 1);
+                                              const Gates& gates, const Pinhole& camera = kCamera) {
+  const IndexImage seen = project(source, pose, camera, target.index.width, target.index.height, 1);
   std::vector<Correspondence> pairs;
   for (int v = 0; v < seen.height; ++v)
     for (int u = 0; u < seen.width; ++u) {
@@ -151,6 +151,17 @@ TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
     EXPECT_EQ(pairs, projective_slowly(source, target, pose, one.gates));
     EXPECT_GT(pairs.size(), 20u);
   }
+}
+
+// More pixels than one block holds: what the blocks find is put together without gaps.
+TEST(ProjectiveMatcher, BlocksOfPixelsJoin) {
+  const Pinhole camera{200.0, 200.0, 109.5, 89.5, 220, 180};
+  const OrganizedCloud target = random_target(6, camera);
+  ASSERT_GT(target.index.index.size(), 2 * kLightBlockSize);
+  const Cloud source = source_near(target.cloud, 7);
+  const Rigid3 pose{Eigen::Quaterniond::Identity(), {0.01, 0.0, 0.0}};
+  EXPECT_EQ(ProjectiveMatcher(target.cloud, target.index, camera).match(source, pose, Gates{}, 2),
+            projective_slowly(source, target, pose, Gates{}, camera));
 }
 
 // Few points are looked up one by one: a pair of all points is found again if its source point is among the few, and no
