@@ -52,17 +52,10 @@ constexpr std::size_t kNumAsked = 4096;
 // Small against the ball from which a point's direction comes, large against the leaps of single pairs.
 constexpr double kStepPerLength = 0.05;
 
-Cloud asked_of(const Cloud& source) {
-  const std::size_t step = (source.size() + kNumAsked - 1) / kNumAsked;
-  std::vector<std::uint32_t> asked;
-  for (std::size_t i = 0; i < source.size(); i += step) asked.push_back(static_cast<std::uint32_t>(i));
-  return select(source, asked);
-}
-
 // How the gradient changes with the pose, by central differences of a step in each direction: with the pairs each pose
 // finds.
 Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, double step, double gyration) {
-  const Cloud asked = asked_of(source);
+  const Cloud asked = evenly_chosen(source, kNumAsked);
   const auto gradient = [&](int axis, double by) -> Vec6d {
     const Rigid3 pose = retract(solution.target_from_source, by * Vec6d::Unit(axis));
     const auto pairs = matcher.match(asked, pose, solution.gates, 1);

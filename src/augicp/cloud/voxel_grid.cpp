@@ -101,6 +101,14 @@ Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices) {
   return chosen;
 }
 
+Cloud evenly_chosen(const Cloud& cloud, std::size_t max_count) {
+  const std::size_t step = (cloud.size() + max_count - 1) / max_count;
+  if (step <= 1) return cloud;
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t i = 0; i < cloud.size(); i += step) chosen.push_back(static_cast<std::uint32_t>(i));
+  return select(cloud, chosen);
+}
+
 Cloud downsample(const Cloud& cloud, double voxel_size) {
   require_positive("voxel_size", voxel_size);
   if (cloud.empty()) return cloud;

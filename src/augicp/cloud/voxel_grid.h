@@ -15,6 +15,9 @@ std::vector<std::uint32_t> spatial_order(const Cloud& cloud);
 // The points at these indices, in this order, with all that belongs to them.
 Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices);
 
+// At most max_count of the points, at even distances in their order; all where there are no more.
+Cloud evenly_chosen(const Cloud& cloud, std::size_t max_count);
+
 // One point a voxel: the mean of the points in it and of their intensities, with the direction, the structure and all else of the
 // point nearest to that mean.
 // Ordered in space and independent of the order of the points. voxel_size in metres, above 0; throws

@@ -107,6 +107,18 @@ TEST(VoxelGrid, DirectionsComeFromAMember) {
   EXPECT_EQ(sampled.structures[0], Structure::Edge);
 }
 
+TEST(EvenlyChosen, AreNoMoreThanAskedAndSpreadOverAll) {
+  const Cloud cloud = random_cloud(1000, 1.0);
+  for (const std::size_t max_count : {1u, 7u, 300u, 999u, 1000u, 5000u}) {
+    const Cloud chosen = evenly_chosen(cloud, max_count);
+    EXPECT_LE(chosen.size(), max_count);
+    EXPECT_GE(2 * chosen.size(), std::min(max_count, cloud.size()));
+    const std::size_t step = (cloud.size() + chosen.size() - 1) / chosen.size();
+    for (std::size_t k = 0; k < chosen.size(); ++k) EXPECT_EQ(chosen.points[k], cloud.points[k * step]);
+  }
+  EXPECT_TRUE(evenly_chosen({}, 5).empty());
+}
+
 TEST(VoxelGrid, BadSizesAreRefused) {
   const Cloud cloud = random_cloud(10, 1.0);
   for (double voxel_size : {0.0, -1.0, std::nan(""), 1e-9}) EXPECT_THROW(downsample(cloud, voxel_size), std::invalid_argument);

@@ -19,13 +19,7 @@ constexpr std::size_t kNumWitnesses = 4096;
 constexpr double kDistancePerDepth = 0.015;
 constexpr double kDistancePerRadius = 0.5;
 
-Cloud witnesses(const Cloud& cloud) {
-  const std::size_t step = (cloud.size() + kNumWitnesses - 1) / kNumWitnesses;
-  if (step <= 1) return cloud;
-  std::vector<std::uint32_t> chosen;
-  for (std::size_t i = 0; i < cloud.size(); i += step) chosen.push_back(static_cast<std::uint32_t>(i));
-  return select(cloud, chosen);
-}
+Cloud witnesses(const Cloud& cloud) { return evenly_chosen(cloud, kNumWitnesses); }
 
 AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths) {
   if (scan.view) return {.distance = 0.0, .per_depth = kDistancePerDepth};
