@@ -97,7 +97,8 @@ struct AlignResult {
   Mat6d information = Mat6d::Zero();  // H of the last iteration; order tx ty tz rx ry rz, target points' frame, left
   Observability observability;        // of the last iteration's pairs
 
-  // Of the pose, in the order and on the side of `information`; see covariance.h. Only where all six directions are held.
+  // Of the pose, in the order and on the side of `information`; see covariance.h. Only where all six directions are held, and
+  // the pose is a minimum among those a small step away.
   std::optional<Mat6d> covariance;
 
 
