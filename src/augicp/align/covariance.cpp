@@ -2,6 +2,7 @@
 #include "augicp/align/covariance.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,22 +53,24 @@ constexpr std::size_t kNumAsked = 4096;
 // Small against the ball from which a point's direction comes, large against the leaps of single pairs.
 constexpr double kStepPerLength = 0.05;
 
-// How the gradient changes with the pose, by central differences of a step in each direction: with the pairs each pose
-// finds.
-Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, double step, double gyration) {
+// How the gradient changes with the pose, by central differences of a step along each direction: with the pairs each pose
+// finds. The directions turn about the middle of the pairs: a turn about a zero far off would move all points far.
+Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, const Mat6d& directions, double step) {
   const Cloud asked = evenly_chosen(source, kNumAsked);
-  const auto gradient = [&](int axis, double by) -> Vec6d {
-    const Rigid3 pose = retract(solution.target_from_source, by * Vec6d::Unit(axis));
+  const auto gradient = [&](const Vec6d& increment) -> Vec6d {
+    const Rigid3 pose = retract(solution.target_from_source, increment);
     const auto pairs = matcher.match(asked, pose, solution.gates, 1);
     return linearize(asked, matcher.target(), pairs, pose, solution.objective, 1).b;
   };
-  Mat6d A;
-  for (int axis = 0; axis < 6; ++axis) {
-    const double by = axis < 3 ? step : step / gyration;
-    A.col(axis) = (gradient(axis, by) - gradient(axis, -by)) / (2.0 * by);
+  Mat6d changes;
+  for (int k = 0; k < 6; ++k) {
+    const Vec6d increment = step * directions.col(k);
+    changes.col(k) = (gradient(increment) - gradient(-increment)) / (2.0 * step);
   }
   const double points_per_asked = static_cast<double>(source.size()) / static_cast<double>(asked.size());
-  return 0.5 * points_per_asked * (A + A.transpose());
+  const Mat6d along = 0.5 * points_per_asked * (directions.transpose() * changes + changes.transpose() * directions);
+  const Mat6d back = directions.inverse();
+  return back.transpose() * along * back;
 }
 
 // The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for that.
@@ -90,10 +93,10 @@ std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& targe
 }  // namespace
 
 std::optional<Mat6d> covariance(const Cloud& source, const Matcher& matcher, const Solution& solution,
-                                double correlation_length, double gyration) {
+                                double correlation_length, const Mat6d& directions) {
   const auto M = spread_of_gradients(source, matcher.target(), solution, correlation_length);
   if (!M) return std::nullopt;
-  const Eigen::LDLT<Mat6d> A(curvature(source, matcher, solution, kStepPerLength * correlation_length, gyration));
+  const Eigen::LDLT<Mat6d> A(curvature(source, matcher, solution, directions, kStepPerLength * correlation_length));
   if (A.info() != Eigen::Success || !(A.vectorD().minCoeff() > 0.0)) return std::nullopt;
   const Mat6d half = A.solve(*M);  // A^-1 M, whose transpose is M A^-1
   const Mat6d both = A.solve(Mat6d(half.transpose()));

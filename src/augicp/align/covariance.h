@@ -28,6 +28,6 @@ struct Solution {
 // fixed, and so as holding the clouds along their surfaces too, which pairs that are found anew do not. gyration: see
 // Observability. Absent where the pose is no minimum in this sense, or cells are too few. Not for degenerate problems.
 std::optional<Mat6d> covariance(const Cloud& source, const Matcher& matcher, const Solution& solution,
-                                double correlation_length, double gyration);
+                                double correlation_length, const Mat6d& directions);
 
 }  // namespace augicp
