@@ -2,6 +2,7 @@
 #include "augicp/objective/linearize.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
@@ -24,7 +25,7 @@ class BlockSums {
 
   double of(int term) const {
     const auto& l = lanes_[term];
-    return (l[0] + l[1]) + (l[2] + l[3]);
+    return ((l[0] + l[1]) + (l[2] + l[3])) + ((l[4] + l[5]) + (l[6] + l[7]));
   }
 
  private:
@@ -38,7 +39,7 @@ Mat3d symmetric(const BlockSums& sums, int first) {
   return m;
 }
 
-NormalEquations equations_of(const BlockSums& sums) {
+NormalEquations equations_of(const BlockSums& sums, double unit) {
   NormalEquations equations;
   const auto vector = [&](int first) { return Vec3d(sums.of(first), sums.of(first + 1), sums.of(first + 2)); };
   Mat3d tr;
@@ -47,8 +48,16 @@ NormalEquations equations_of(const BlockSums& sums) {
   const Mat3d tt = symmetric(sums, PairTerms::kTt), rr = symmetric(sums, PairTerms::kRr);
   equations.H << tt, tr, tr.transpose(), rr;
   equations.b << vector(PairTerms::kBt), vector(PairTerms::kBr);
-  equations.cost = sums.of(PairTerms::kCost);
+  equations.H *= unit;
+  equations.b *= unit;
+  equations.cost = unit * sums.of(PairTerms::kCost);
   return equations;
+}
+
+// The nearest float above zero.
+float in_float(double positive) {
+  using Limits = std::numeric_limits<float>;
+  return static_cast<float>(std::clamp<double>(positive, Limits::min(), Limits::max()));
 }
 
 // Calls body(first pair, count, batch) for all pairs of [begin, end).
@@ -59,7 +68,6 @@ void for_each_batch(const PairReader& reader, std::span<const Correspondence> pa
   for (std::size_t first = begin; first < end; first += kPairsPerBatch) {
     const std::size_t count = std::min<std::size_t>(kPairsPerBatch, end - first);
     reader.read(pairs.subspan(first, count), batch);
-    reader.move(batch);
     body(first, count, batch);
   }
 }
@@ -72,17 +80,20 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
   require(objective.kernel_direction_chi2 > 0.0, "kernel_direction_chi2", objective.kernel_direction_chi2,
           "must be above 0");
   const PairReader reader(source, target, target_from_source, objective.information);
+  const double unit = reader.information_unit();
+  const float kernel_chi2 = in_float(objective.kernel_chi2 / unit),
+              kernel_direction_chi2 = in_float(objective.kernel_direction_chi2 / unit);
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     BlockSums block;
     PairTerms terms;
     for_each_batch(reader, pairs, begin, end, [&](std::size_t, std::size_t, const PairBatch& batch) {
-      terms_of(batch, objective.kernel_chi2, objective.kernel_direction_chi2, terms);
+      terms_of(batch, kernel_chi2, kernel_direction_chi2, terms);
       block.add(terms);
     });
     return block;
   };
   const BlockSums sums = blocked_sum<BlockSums>(pairs.size(), num_threads, sums_of, kLightBlockSize);
-  NormalEquations equations = equations_of(sums);
+  NormalEquations equations = equations_of(sums, unit);
   equations.num_pairs = static_cast<std::int64_t>(pairs.size());
   if (objective.intensity.information > 0.0)
     equations += linearize_intensity(source, target, pairs, target_from_source, objective.intensity, num_threads);
@@ -92,14 +103,15 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
 PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                        const Rigid3& target_from_source, const InformationModel& information, int num_threads) {
   const PairReader reader(source, target, target_from_source, information);
+  const auto unit = static_cast<float>(reader.information_unit());
   PairChi2 chi2{std::vector<float>(pairs.size()), std::vector<float>(pairs.size())};
   const auto write_chi2 = [&](std::size_t begin, std::size_t end) {
     BatchChi2 of_batch;
     for_each_batch(reader, pairs, begin, end, [&](std::size_t first, std::size_t count, const PairBatch& batch) {
       chi2_of(batch, of_batch);
       for (std::size_t k = 0; k < count; ++k) {
-        chi2.position[first + k] = static_cast<float>(of_batch.position[k]);
-        chi2.direction[first + k] = batch.compares[k] ? static_cast<float>(of_batch.direction[k]) : -1.0f;
+        chi2.position[first + k] = unit * of_batch.position[k];
+        chi2.direction[first + k] = batch.compares[k] > 0.0f ? unit * of_batch.direction[k] : -1.0f;
       }
     });
   };

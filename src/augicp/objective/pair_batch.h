@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The errors of Eq. (8) and their parts of Eq. (14) for a batch of pairs at once. Every quantity is an array with one
-// entry a pair, so that compilers make vectors of them; arithmetic is double, each pair's as if it were alone.
+// entry a pair, so that compilers make vectors of them, each pair's as if it were alone. Errors are differences of places
+// that lie metres from zero, and are made in double; what is made of errors has the digits of a float, which leaves the pose
+// where all of it is zero untouched.
 #pragma once
 
 #include <cstdint>
@@ -12,52 +14,70 @@
 namespace augicp {
 
 inline constexpr int kPairsPerBatch = 64;
-inline constexpr int kLanes = 4;
+inline constexpr int kLanes = 8;
 
-// Pairs under a pose. Entries beyond the last pair are zero, and so are all their terms.
+// Pairs under a pose. Entries beyond the last pair are finite, and all their terms are zero.
 struct PairBatch {
   template <typename Number>
   using Array = Number[kPairsPerBatch];
 
-  // As read: T has yet to be applied. Directions are zero where they are not compared, target_direction where the
-  // target point has none.
-  alignas(64) Array<float> source_point[3], source_direction[3], target_point[3], target_direction[3];
-  alignas(64) Array<double> along, across;                      // of the positions' information
-  alignas(64) Array<double> direction_along, direction_across;  // of the directions'
-  alignas(64) Array<double> one_sided;                          // 1 where a direction and its opposite differ, else 0
-  Array<bool> compares;                                         // whether directions are compared
+  // As read: T has yet to be applied. target_direction is zero where the target point has none.
+  alignas(64) Array<float> source_point[3]{}, source_direction[3]{}, target_point[3]{}, target_direction[3]{};
+  alignas(64) Array<float> weight{};             // the target point's
+  alignas(64) Array<float> compares{};           // 1 where directions are compared, else 0
+  alignas(64) Array<std::int32_t> structure{};   // the target point's
 
   // Computed from these.
-  alignas(64) Array<double> moved_point[3];      // q = T (+) p_j
-  alignas(64) Array<double> moved_direction[3];  // m = R l_j, its sign chosen
-  alignas(64) Array<double> position_error[3];   // p_i - q
-  alignas(64) Array<double> direction_error[3];  // l_i - m
+  alignas(64) Array<float> moved_point[3];       // q = T (+) p_j
+  alignas(64) Array<float> moved_direction[3];   // m = R l_j, its sign chosen
+  alignas(64) Array<float> position_error[3];    // p_i - q
+  alignas(64) Array<float> direction_error[3];   // l_i - m
+  alignas(64) Array<float> along, across;        // of the positions' information
+  alignas(64) Array<float> direction_along, direction_across;  // of the directions', zero where they are not compared
+};
+
+// A number for each Structure.
+struct ByStructure {
+  float none, planar, edge;
+  float of(std::int32_t structure) const {
+    return structure == static_cast<std::int32_t>(Structure::Planar) ? planar
+           : structure == static_cast<std::int32_t>(Structure::Edge) ? edge
+                                                                     : none;
+  }
+};
+
+// What all pairs share. Information is in a unit of its own, so that float holds it.
+struct PairModel {
+  double rotation[9];  // row by row
+  double translation[3];
+  ByStructure along, across, direction_along, direction_across;
+  float one_sided;  // 1 where a normal and its opposite differ, else 0
 };
 
 class PairReader {
  public:
-  // All of them must outlive it. target_from_source maps between the clouds' points, without their origins.
+  // The clouds must outlive it. target_from_source maps between the clouds' points, without their origins.
   PairReader(const Cloud& source, const Cloud& target, const Rigid3& target_from_source,
              const InformationModel& information);
 
-  // At most kPairsPerBatch pairs.
+  // At most kPairsPerBatch pairs under the pose.
   void read(std::span<const Correspondence> pairs, PairBatch& batch) const;
-  void move(PairBatch& batch) const;
+
+  double information_unit() const { return information_unit_; }
 
  private:
+  void gather(std::span<const Correspondence> pairs, PairBatch& batch) const;
+
   const Cloud& source_;
   const Cloud& target_;
-  const InformationModel& information_;
-  double rotation_[9];  // row by row
-  double translation_[3];
-  bool target_has_directions_;
+  double information_unit_;
+  PairModel model_;
   bool compares_directions_;
-  bool signed_normals_;
 };
 
 // chi2 = e^T Omega e in its two parts.
 struct BatchChi2 {
-  alignas(64) PairBatch::Array<double> position, direction;
+  alignas(64) PairBatch::Array<float> position, direction;
 };
 void chi2_of(const PairBatch& batch, BatchChi2& chi2);
 
@@ -65,9 +85,10 @@ void chi2_of(const PairBatch& batch, BatchChi2& chi2);
 // the cross matrix of the sum of across * q.
 struct PairTerms {
   static constexpr int kTt = 0, kTr = 6, kRr = 15, kAcrossPoint = 21, kBt = 24, kBr = 27, kCost = 30, kCount = 31;
-  alignas(64) PairBatch::Array<double> term[kCount];
+  alignas(64) PairBatch::Array<float> term[kCount];
 };
-void terms_of(const PairBatch& batch, double kernel_chi2, double kernel_direction_chi2, PairTerms& terms);
+// Kernels are in the batch's unit, and above 0.
+void terms_of(const PairBatch& batch, float kernel_chi2, float kernel_direction_chi2, PairTerms& terms);
 
 // lanes[t][k % kLanes] += terms.term[t][k].
 using TermLanes = double[PairTerms::kCount][kLanes];
