@@ -23,6 +23,7 @@ const OptionTable<RegistrationOptions>& registration_options() {
       {"coarse_to_fine", number<Options>(&Options::coarse_to_fine)},
       {"rolling_shutter", number<Options>(&Options::rolling_shutter)},
       {"intensity", number<Options>(&Options::intensity)},
+      {"covariance", number<Options>(&Options::covariance)},
       {"max_iterations", number<Options>(&Options::max_iterations)},
       {"min_step", number<Options>(&Options::min_step)},
       {"threads", number<Options>(&Options::num_threads)},

@@ -72,6 +72,7 @@ RegistrationOptions tracking_options() {
   options.max_angle = kMaxAngle;
   options.min_step = kMinStep;
   options.max_iterations = kMaxIterations;
+  options.covariance = false;  // no report has it
   return options;
 }
 

@@ -101,7 +101,7 @@ AlignOptions align_options(const Lengths& lengths, bool projective, const Regist
   align.max_iterations = options.max_iterations;
   align.min_translation_step = options.min_step * lengths.extent;
   align.min_rotation_step = options.min_step;
-  align.correlation_length = kCorrelationPerRadius * lengths.radius;
+  align.correlation_length = options.covariance ? kCorrelationPerRadius * lengths.radius : 0.0;
   align.num_threads = options.num_threads;
   align.stop = options.stop;
   return align;
