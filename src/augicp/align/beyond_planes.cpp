@@ -23,47 +23,52 @@ struct Plane {
   Vec3d normal, point;
 };
 
-bool is_on(const Plane& plane, const Cloud& cloud, std::uint32_t point, const AgreementTolerance& tolerance) {
-  return std::abs(plane.normal.dot(cloud.points[point].cast<double>() - plane.point)) <
-         allowed(cloud, point, tolerance);
+// Points of a cloud as they are asked many times over.
+struct Candidate {
+  Vec3d place;
+  double allowed;
+  std::uint32_t point;
+};
+
+bool is_on(const Plane& plane, const Candidate& candidate) {
+  return std::abs(plane.normal.dot(candidate.place - plane.point)) < candidate.allowed;
 }
 
-std::vector<std::uint32_t> points_on(const Plane& plane, const Cloud& cloud, std::span<const std::uint32_t> points,
-                                     const AgreementTolerance& tolerance) {
-  std::vector<std::uint32_t> on;
-  for (const std::uint32_t i : points)
-    if (is_on(plane, cloud, i, tolerance)) on.push_back(i);
-  return on;
+std::size_t num_on(const Plane& plane, std::span<const Candidate> candidates) {
+  std::size_t count = 0;
+  for (const Candidate& candidate : candidates) count += is_on(plane, candidate) ? 1 : 0;
+  return count;
 }
 
-// Through the points' mean, along their two widest directions.
-Plane fitted(const Cloud& cloud, std::span<const std::uint32_t> points) {
+// Through the mean of those on a plane, along their two widest directions.
+Plane fitted(const Plane& plane, std::span<const Candidate> candidates) {
   Vec3d mean = Vec3d::Zero();
-  for (const std::uint32_t i : points) mean += cloud.points[i].cast<double>();
-  mean /= static_cast<double>(points.size());
+  std::vector<Vec3d> on;
+  for (const Candidate& candidate : candidates)
+    if (is_on(plane, candidate)) on.push_back(candidate.place);
+  for (const Vec3d& place : on) mean += place;
+  mean /= static_cast<double>(on.size());
   Mat3d scatter = Mat3d::Zero();
-  for (const std::uint32_t i : points) {
-    const Vec3d from_mean = cloud.points[i].cast<double>() - mean;
-    scatter += from_mean * from_mean.transpose();
-  }
+  for (const Vec3d& place : on) scatter += (place - mean) * (place - mean).transpose();
   return {Eigen::SelfAdjointEigenSolver<Mat3d>(scatter).eigenvectors().col(0), mean};
 }
 
 // Where no point is planar, the plane has no normal.
-Plane best_plane(const Cloud& cloud, std::span<const std::uint32_t> points, const AgreementTolerance& tolerance) {
+Plane best_plane(const Cloud& cloud, std::span<const Candidate> candidates) {
   Plane best{Vec3d::Zero(), Vec3d::Zero()};
-  std::vector<std::uint32_t> on_best;
+  std::size_t num_on_best = 0;
   const auto keep_better = [&](const Plane& plane) {
-    std::vector<std::uint32_t> on = points_on(plane, cloud, points, tolerance);
-    if (on.size() <= on_best.size()) return;
+    const std::size_t count = num_on(plane, candidates);
+    if (count <= num_on_best) return;
     best = plane;
-    on_best = std::move(on);
+    num_on_best = count;
   };
-  const std::size_t step = (points.size() + kNumTried - 1) / kNumTried;
-  for (std::size_t k = 0; k < points.size(); k += step)
-    if (cloud.structures[points[k]] == Structure::Planar)
-      keep_better({cloud.directions[points[k]].cast<double>(), cloud.points[points[k]].cast<double>()});
-  for (int k = 0; k < kNumFits && on_best.size() >= 3; ++k) keep_better(fitted(cloud, on_best));
+  const std::size_t step = (candidates.size() + kNumTried - 1) / kNumTried;
+  for (std::size_t k = 0; k < candidates.size(); k += step) {
+    const std::uint32_t i = candidates[k].point;
+    if (cloud.structures[i] == Structure::Planar) keep_better({cloud.directions[i].cast<double>(), candidates[k].place});
+  }
+  for (int k = 0; k < kNumFits && num_on_best >= 3; ++k) keep_better(fitted(best, candidates));
   return best;
 }
 
@@ -93,11 +98,12 @@ std::vector<std::uint32_t> agreeing_points(const Cloud& source, const Cloud& tar
 double share_beyond_planes(const Cloud& cloud, std::span<const std::uint32_t> points,
                            const AgreementTolerance& tolerance) {
   if (points.empty() || !cloud.has_directions()) return 1.0;
-  std::vector<std::uint32_t> rest(points.begin(), points.end());
+  std::vector<Candidate> rest;
+  for (const std::uint32_t i : points) rest.push_back({cloud.points[i].cast<double>(), allowed(cloud, i, tolerance), i});
   for (int k = 0; k < kNumPlanes && !rest.empty(); ++k) {
-    const Plane plane = best_plane(cloud, rest, tolerance);
+    const Plane plane = best_plane(cloud, rest);
     if (plane.normal.isZero()) break;
-    std::erase_if(rest, [&](std::uint32_t i) { return is_on(plane, cloud, i, tolerance); });
+    std::erase_if(rest, [&](const Candidate& candidate) { return is_on(plane, candidate); });
   }
   return static_cast<double>(rest.size()) / static_cast<double>(points.size());
 }

@@ -9,9 +9,10 @@
 namespace augicp {
 namespace {
 
-// Positive floats are in the order of their bits. The upper half of the bits tells two apart by a part in 128 of their size.
+// Positive floats are in the order of their bits. The upper ones tell two apart by an eighth of their size: so few places to
+// count in are cheaper than having few values in the middle one.
 constexpr std::uint32_t kSign = 0x80000000u;
-constexpr int kLowerBits = 16;
+constexpr int kLowerBits = 20;
 
 // Below, ordering the values costs less than counting them.
 constexpr std::size_t kFewValues = 4096;
@@ -39,7 +40,7 @@ double median(std::span<const float> values) {
     const std::size_t rank = chosen.size() / 2;
     return chosen.empty() ? 0.0 : at_rank(std::move(chosen), rank);
   }
-  std::vector<std::uint32_t> counts(std::size_t{1} << kLowerBits);
+  std::vector<std::uint32_t> counts(std::size_t{1} << (32 - kLowerBits));
   for (const float value : values) ++counts[std::bit_cast<std::uint32_t>(value) >> kLowerBits];
   std::size_t num_chosen = 0;
   for (std::uint32_t bin = 0; bin < kSign >> kLowerBits; ++bin) num_chosen += counts[bin];
