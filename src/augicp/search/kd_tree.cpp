@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/search/kd_tree.h"
 
-#include <cmath>
+#include <limits>
 #include <nanoflann.hpp>
 
 namespace augicp {
@@ -24,22 +24,6 @@ struct PointAdaptor {
 using Tree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointAdaptor>, PointAdaptor, 3, std::uint32_t>;
 
-// Appends every neighbour to a buffer of ours: nanoflann's own result set would allocate a new one for each query.
-struct BallResultSet {
-  using DistanceType = float;
-  using IndexType = std::uint32_t;
-  float radius_sq;
-  std::vector<Neighbour>& found;
-
-  std::size_t size() const { return found.size(); }
-  bool full() const { return true; }
-  bool addPoint(float distance_sq, std::uint32_t index) {
-    if (distance_sq < radius_sq) found.push_back({index, distance_sq});
-    return true;
-  }
-  float worstDist() const { return radius_sq; }
-};
-
 // The first of the nearest. nanoflann enters every branch that may hold a point as near as the worst one kept, so that among
 // many equal points each query would look at all of them: from here on a branch has to promise more than rounding can hide.
 struct NearestResultSet {
@@ -56,7 +40,9 @@ struct NearestResultSet {
     return true;
   }
   // Below zero once a point is found at distance zero: nothing is nearer.
-  float worstDist() const { return is_found ? std::nextafter((1.0f - kRounding) * best.distance_sq, -1.0f) : best.distance_sq; }
+  float worstDist() const {
+    return is_found ? (1.0f - kRounding) * best.distance_sq - std::numeric_limits<float>::denorm_min() : best.distance_sq;
+  }
 };
 
 }  // namespace
@@ -92,13 +78,6 @@ std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count) 
   std::vector<Neighbour> found(num_found);
   for (std::size_t k = 0; k < num_found; ++k) found[k] = {indices[k], distances_sq[k]};
   return found;
-}
-
-void KdTree::within(const Vec3f& query, float radius_sq, std::vector<Neighbour>& found) const {
-  found.clear();
-  if (index_->adaptor.points.empty()) return;
-  BallResultSet result{radius_sq, found};
-  index_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
 }
 
 }  // namespace augicp

@@ -32,10 +32,6 @@ class KdTree {
   // The count nearest points, nearest first; fewer where the cloud has fewer.
   std::vector<Neighbour> nearest_k(const Vec3f& query, std::size_t count) const;
 
-  // Fills found with every point at a distance below the square root of radius_sq, in no particular order that depends
-  // on anything but the cloud. An out-argument, so that a loop over many queries reuses one buffer.
-  void within(const Vec3f& query, float radius_sq, std::vector<Neighbour>& found) const;
-
  private:
   struct Index;
   std::unique_ptr<Index> index_;

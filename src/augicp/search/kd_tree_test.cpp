@@ -128,24 +128,6 @@ TEST(KdTree, NearestFewAreTheBruteForceOnesInOrder) {
   }
 }
 
-TEST(KdTree, WithinIsTheBruteForceSet) {
-  std::vector<Neighbour> found{{99, 99.0f}};  // what was there goes
-  for (const auto& [name, cloud] : awkward_clouds()) {
-    const KdTree tree(cloud);
-    for (const Vec3f& query : queries()) {
-      for (float radius_sq : {0.0f, 0.0123f, 1.0003f, 1e13f}) {
-        tree.within(query, radius_sq, found);
-        std::set<std::uint32_t> expected, indices;
-        for (std::uint32_t i = 0; i < cloud.size(); ++i)
-          if (distance_sq(cloud.points[i], query) < radius_sq) expected.insert(i);
-        for (const Neighbour& neighbour : found) indices.insert(neighbour.index);
-        EXPECT_EQ(indices, expected) << name << ", radius_sq " << radius_sq;
-        EXPECT_EQ(indices.size(), found.size()) << name << ": a point was found twice";
-      }
-    }
-  }
-}
-
 TEST(KdTree, GateOfNearestIsStrict) {
   Cloud cloud;
   cloud.points = {{2.0f, 0.0f, 0.0f}};
@@ -182,9 +164,6 @@ TEST(KdTree, ManyEqualPointsMakeNoDeepTree) {
   const KdTree tree(cloud);
   EXPECT_EQ(tree.nearest({4.0f, 0.0f, 0.0f}, kFar)->index, 100000u);
   EXPECT_EQ(tree.nearest_k(cloud.points[0], 10).back().distance_sq, 0.0f);
-  std::vector<Neighbour> found;
-  tree.within(cloud.points[0], 1.0f, found);
-  EXPECT_EQ(found.size(), 100000u);
 }
 
 // robustness 10: without a bound on the branches that are entered, these queries would look at 10^10 points.

@@ -3,24 +3,54 @@
 
 #include <algorithm>
 #include <atomic>
+#include <span>
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
+#include "augicp/core/vectorized.h"
+#include "augicp/search/cell_grid.h"
+#include "augicp/search/kd_tree.h"
 
 namespace augicp {
 namespace {
 
-constexpr std::size_t kPointsPerBlock = 256;
+constexpr std::size_t kCellsPerBlock = 16, kPointsPerBlock = 256;
 
-void find_neighbours(const KdTree& tree, const Vec3f& point, const BallOptions& options,
-                     std::vector<Neighbour>& found) {
-  const auto radius_sq = static_cast<float>(options.radius * options.radius);
-  tree.within(point, radius_sq, found);
-  if (found.size() < options.min_points && options.max_radius > options.radius) {
-    const auto max_radius_sq = static_cast<float>(options.max_radius * options.max_radius);
-    found = tree.nearest_k(point, options.min_points);
-    std::erase_if(found, [&](const Neighbour& n) { return !(n.distance_sq < max_radius_sq); });
+// Points as arrays, so that compilers make vectors of their distances.
+struct Candidates {
+  std::vector<std::uint32_t> index;
+  std::vector<float> x, y, z, distance_sq;
+
+  void read(const Cloud& cloud) {
+    for (std::vector<float>* numbers : {&x, &y, &z, &distance_sq}) numbers->resize(index.size());
+    for (std::size_t k = 0; k < index.size(); ++k) {
+      const Vec3f& point = cloud.points[index[k]];
+      x[k] = point.x(), y[k] = point.y(), z[k] = point.z();
+    }
   }
+};
+
+AUGICP_VECTORIZED void measure_distances(const float* __restrict x, const float* __restrict y, const float* __restrict z,
+                                         std::size_t count, float px, float py, float pz, float* __restrict distance_sq) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const float dx = x[k] - px, dy = y[k] - py, dz = z[k] - pz;
+    distance_sq[k] = dx * dx + dy * dy + dz * dz;
+  }
+}
+
+// Appends those in the ball, and says how many they are.
+std::size_t append_in_ball(Candidates& candidates, const Vec3f& centre, float radius_sq, std::vector<std::uint32_t>& neighbours) {
+  const std::size_t count = candidates.index.size(), first = neighbours.size();
+  measure_distances(candidates.x.data(), candidates.y.data(), candidates.z.data(), count, centre.x(), centre.y(), centre.z(),
+                    candidates.distance_sq.data());
+  neighbours.resize(first + count);
+  std::size_t next = first;
+  for (std::size_t k = 0; k < count; ++k) {  // without a branch, which would be guessed wrong for a third of them
+    neighbours[next] = candidates.index[k];
+    next += candidates.distance_sq[k] < radius_sq ? 1 : 0;
+  }
+  neighbours.resize(next);
+  return next - first;
 }
 
 // Lists of neighbours take four bytes each. A ball of four voxels, as registration has it, holds 300 points at most; where
@@ -32,10 +62,12 @@ std::size_t max_neighbours(std::size_t num_points) {
   return std::max(kFewNeighbours, kMaxNeighboursPerPoint * num_points);
 }
 
-// In index order: sums then do not depend on the shape of the tree.
-void append_sorted(const std::vector<Neighbour>& found, std::vector<std::uint32_t>& neighbours) {
+// The nearest min_points within the larger radius.
+void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& options, std::vector<std::uint32_t>& neighbours) {
   const auto first = static_cast<std::ptrdiff_t>(neighbours.size());
-  for (const Neighbour& n : found) neighbours.push_back(n.index);
+  const auto max_radius_sq = static_cast<float>(options.max_radius * options.max_radius);
+  for (const Neighbour& found : tree.nearest_k(centre, options.min_points))
+    if (found.distance_sq < max_radius_sq) neighbours.push_back(found.index);
   std::sort(neighbours.begin() + first, neighbours.end());
 }
 
@@ -44,44 +76,84 @@ template <int kRows>
 using Rows = Eigen::Map<const Eigen::Array<double, kRows, Eigen::Dynamic>>;
 
 template <int kRows>
-void sum_of_neighbours(const Channels& values, const std::vector<std::size_t>& first_of,
-                       const std::vector<std::uint32_t>& neighbours, std::size_t begin, std::size_t end,
-                       Channels& sums) {
-  const Rows<kRows> columns(values.data(), values.rows(), values.cols());
-  for (std::size_t i = begin; i < end; ++i) {
-    Eigen::Array<double, kRows, 1> sum = Eigen::Array<double, kRows, 1>::Zero(values.rows());
-    for (std::size_t k = first_of[i]; k < first_of[i + 1]; ++k) sum += columns.col(neighbours[k]);
-    sums.col(static_cast<Eigen::Index>(i)) = sum;
-  }
+Eigen::Array<double, kRows, 1> sum_of(const Rows<kRows>& columns, std::span<const std::uint32_t> neighbours) {
+  Eigen::Array<double, kRows, 1> sum = Eigen::Array<double, kRows, 1>::Zero(columns.rows());
+  for (const std::uint32_t k : neighbours) sum += columns.col(k);
+  return sum;
 }
 
 }  // namespace
 
 BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& options, int num_threads)
-    : begin_(cloud.size() + 1, 0) {
+    : of_point_(cloud.size()) {
   require_positive("radius", options.radius);
   require_not_negative("max_radius", options.max_radius);
-  const KdTree tree(cloud);
-  const std::size_t num_blocks = (cloud.size() + kPointsPerBlock - 1) / kPointsPerBlock;
-  std::vector<std::vector<std::uint32_t>> of_block(num_blocks);
+  find_in_balls(cloud, options, num_threads);
+  if (options.min_points > 0 && options.max_radius > options.radius) widen_poor_balls(cloud, options, num_threads);
+}
+
+void BallNeighbourhood::find_in_balls(const Cloud& cloud, const BallOptions& options, int num_threads) {
+  const auto radius_sq = static_cast<float>(options.radius * options.radius);
+  const CellGrid grid(cloud, options.radius);
+  Lists lists((grid.num_cells() + kCellsPerBlock - 1) / kCellsPerBlock);
   std::atomic<std::size_t> num_neighbours{0};
-  for_each_block(
-      cloud.size(), num_threads,
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<Neighbour> found;
-        std::vector<std::uint32_t>& neighbours = of_block[begin / kPointsPerBlock];
-        for (std::size_t i = begin; i < end; ++i) {
-          find_neighbours(tree, cloud.points[i], options, found);
-          begin_[i + 1] = found.size();
-          require(num_neighbours.fetch_add(found.size()) + found.size() <= max_neighbours(cloud.size()), "radius",
-                  options.radius, "the ball holds more than 512 points on average; thin the cloud, or use a smaller ball");
-          append_sorted(found, neighbours);
-        }
-      },
-      kPointsPerBlock);
-  for (std::size_t i = 0; i < cloud.size(); ++i) begin_[i + 1] += begin_[i];
-  neighbours_.reserve(begin_.back());
-  for (const auto& neighbours : of_block) neighbours_.insert(neighbours_.end(), neighbours.begin(), neighbours.end());
+  const auto find_in_cells = [&](std::size_t begin, std::size_t end) {
+    Candidates candidates;
+    std::vector<std::uint32_t>& neighbours = lists[begin / kCellsPerBlock].neighbours;
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      grid.around(cell, candidates.index);
+      candidates.read(cloud);
+      for (const std::uint32_t i : grid.points_of(cell)) {
+        const std::size_t count = append_in_ball(candidates, cloud.points[i], radius_sq, neighbours);
+        lists[begin / kCellsPerBlock].points.push_back({i, count});
+        require(num_neighbours.fetch_add(count) + count <= max_neighbours(cloud.size()), "radius", options.radius,
+                "the ball holds more than 512 points on average; thin the cloud, or use a smaller ball");
+      }
+    }
+  };
+  for_each_block(grid.num_cells(), num_threads, find_in_cells, kCellsPerBlock);
+  append(lists);
+}
+
+void BallNeighbourhood::widen_poor_balls(const Cloud& cloud, const BallOptions& options, int num_threads) {
+  std::vector<std::uint32_t> poor;
+  for (std::uint32_t i = 0; i < of_point_.size(); ++i)
+    if (of_point_[i].count < options.min_points) poor.push_back(i);
+  if (poor.empty()) return;
+  const KdTree tree(cloud);
+  Lists lists((poor.size() + kPointsPerBlock - 1) / kPointsPerBlock);
+  const auto find_nearest = [&](std::size_t begin, std::size_t end) {
+    List& list = lists[begin / kPointsPerBlock];
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t first = list.neighbours.size();
+      append_nearest(tree, cloud.points[poor[k]], options, list.neighbours);
+      list.points.push_back({poor[k], list.neighbours.size() - first});
+    }
+  };
+  for_each_block(poor.size(), num_threads, find_nearest, kPointsPerBlock);
+  append(lists);
+}
+
+void BallNeighbourhood::append(const Lists& lists) {
+  std::size_t total = neighbours_.size();
+  for (const List& list : lists) total += list.neighbours.size();
+  neighbours_.reserve(total);
+  for (const List& list : lists) {
+    std::size_t begin = neighbours_.size();
+    for (const auto& [point, count] : list.points) {
+      of_point_[point] = {begin, count};
+      begin += count;
+    }
+    neighbours_.insert(neighbours_.end(), list.neighbours.begin(), list.neighbours.end());
+  }
+}
+
+template <int kRows>
+void BallNeighbourhood::sum_rows(const Channels& values, std::size_t begin, std::size_t end, Channels& sums) const {
+  const Rows<kRows> columns(values.data(), values.rows(), values.cols());
+  for (std::size_t i = begin; i < end; ++i)
+    sums.col(static_cast<Eigen::Index>(i)) =
+        sum_of<kRows>(columns, std::span(neighbours_).subspan(of_point_[i].begin, of_point_[i].count));
 }
 
 Channels BallNeighbourhood::sum(const Channels& values, int num_threads) const {
@@ -89,11 +161,11 @@ Channels BallNeighbourhood::sum(const Channels& values, int num_threads) const {
   for_each_block(static_cast<std::size_t>(values.cols()), num_threads, [&](std::size_t begin, std::size_t end) {
     switch (values.rows()) {
       case 7:
-        return sum_of_neighbours<7>(values, begin_, neighbours_, begin, end, sums);
+        return sum_rows<7>(values, begin, end, sums);
       case 10:
-        return sum_of_neighbours<10>(values, begin_, neighbours_, begin, end, sums);
+        return sum_rows<10>(values, begin, end, sums);
       default:
-        return sum_of_neighbours<Eigen::Dynamic>(values, begin_, neighbours_, begin, end, sums);
+        return sum_rows<Eigen::Dynamic>(values, begin, end, sums);
     }
   });
   return sums;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "augicp/search/kd_tree.h"
+#include "augicp/cloud/cloud.h"
 #include "augicp/surface/neighbourhood.h"
 
 namespace augicp {
@@ -17,7 +19,7 @@ struct BallOptions {
   double max_radius = 0.0;  // metres; below radius: the ball never grows
 };
 
-// Section 4.1 for any cloud: the points in a fixed ball, found with a kd-tree. The cloud must outlive it.
+// Section 4.1 for any cloud: the points in a fixed ball.
 // Memory is bounded: throws std::invalid_argument where the balls hold more than 512 points on average, and 2^24 together.
 class BallNeighbourhood : public Neighbourhood {
  public:
@@ -25,8 +27,23 @@ class BallNeighbourhood : public Neighbourhood {
   Channels sum(const Channels& values, int num_threads) const override;
 
  private:
-  std::vector<std::size_t> begin_;         // of each point's neighbours; one more than points
-  std::vector<std::uint32_t> neighbours_;  // of all points, one after the other
+  struct List {  // of some points: how many neighbours each has, and the neighbours of all
+    std::vector<std::pair<std::uint32_t, std::size_t>> points;
+    std::vector<std::uint32_t> neighbours;
+  };
+  using Lists = std::vector<List>;
+
+  void find_in_balls(const Cloud& cloud, const BallOptions& options, int num_threads);
+  void widen_poor_balls(const Cloud& cloud, const BallOptions& options, int num_threads);
+  void append(const Lists& lists);
+  template <int kRows>
+  void sum_rows(const Channels& values, std::size_t begin, std::size_t end, Channels& sums) const;
+
+  struct Range {
+    std::size_t begin = 0, count = 0;
+  };
+  std::vector<Range> of_point_;            // where each point's neighbours are
+  std::vector<std::uint32_t> neighbours_;  // a point's in ascending order, so that sums do not depend on how they were found
 };
 
 }  // namespace augicp

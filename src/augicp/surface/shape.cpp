@@ -7,7 +7,8 @@
 namespace augicp {
 
 Eigen3 eigen_of_symmetric(const Mat3d& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Mat3d> solver(matrix);
+  Eigen::SelfAdjointEigenSolver<Mat3d> solver;
+  solver.computeDirect(matrix);  // closed form: a third of the time, and eight digits
   // Rounding may leave the smallest eigenvalue of points on a plane just below zero.
   return {solver.eigenvalues().cwiseMax(0.0), solver.eigenvectors()};
 }
