@@ -8,6 +8,9 @@
 namespace augicp {
 namespace {
 
+// Of the closed form, relative to the largest eigenvalue.
+constexpr double kDigits = 1e-8;
+
 Eigen3 eigen_with(double l0, double l1, double l2) {
   return eigen_of_symmetric(Vec3d(l0, l1, l2).asDiagonal().toDenseMatrix());
 }
@@ -55,12 +58,12 @@ TEST(Shape, LineAlongTheLineOfSightIsNoWire) {
 TEST(Shape, SpreadOfTwoAndOfThreeNormals) {
   const Mat3d x = Vec3d::UnitX() * Vec3d::UnitX().transpose(), y = Vec3d::UnitY() * Vec3d::UnitY().transpose();
   const Mat3d z = Vec3d::UnitZ() * Vec3d::UnitZ().transpose();
-  EXPECT_NEAR(spread_of_normals(x).across, 0.0, 1e-15);
+  EXPECT_NEAR(spread_of_normals(x).across, 0.0, kDigits);
   const NormalSpread crease = spread_of_normals(0.75 * x + 0.25 * y);
-  EXPECT_NEAR(crease.across, 0.25, 1e-15);
-  EXPECT_NEAR(crease.along, 0.0, 1e-15);
-  EXPECT_NEAR(std::abs(crease.tangent.z()), 1.0, 1e-15);
-  EXPECT_NEAR(spread_of_normals(0.5 * x + 0.3 * y + 0.2 * z).along, 0.2, 1e-15);
+  EXPECT_NEAR(crease.across, 0.25, kDigits);
+  EXPECT_NEAR(crease.along, 0.0, kDigits);
+  EXPECT_NEAR(std::abs(crease.tangent.z()), 1.0, kDigits);
+  EXPECT_NEAR(spread_of_normals(0.5 * x + 0.3 * y + 0.2 * z).along, 0.2, kDigits);
 }
 
 TEST(Shape, EigenvectorsRebuildTheMatrix) {
@@ -69,7 +72,7 @@ TEST(Shape, EigenvectorsRebuildTheMatrix) {
     const Vec3d a = testing::random_direction(generator), b = testing::random_direction(generator);
     const Mat3d matrix = a * a.transpose() + 0.3 * b * b.transpose();
     const Eigen3 eigen = eigen_of_symmetric(matrix);
-    EXPECT_LT((eigen.vectors * eigen.values.asDiagonal() * eigen.vectors.transpose() - matrix).norm(), 1e-14);
+    EXPECT_LT((eigen.vectors * eigen.values.asDiagonal() * eigen.vectors.transpose() - matrix).norm(), kDigits);
     EXPECT_LE(eigen.values[0], eigen.values[1]);
     EXPECT_LE(eigen.values[1], eigen.values[2]);
     EXPECT_GE(eigen.values[0], 0.0);
