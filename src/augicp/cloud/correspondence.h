@@ -15,6 +15,16 @@ struct Correspondence {
   bool operator==(const Correspondence&) const = default;
 };
 
+// The pairs of all blocks, in order.
+inline std::vector<Correspondence> joined(const std::vector<std::vector<Correspondence>>& blocks) {
+  std::size_t count = 0;
+  for (const auto& block : blocks) count += block.size();
+  std::vector<Correspondence> pairs;
+  pairs.reserve(count);
+  for (const auto& block : blocks) pairs.insert(pairs.end(), block.begin(), block.end());
+  return pairs;
+}
+
 // At most max_count of the pairs, at even distances in their order: enough for medians and means.
 inline std::vector<Correspondence> evenly_chosen(std::span<const Correspondence> pairs, std::size_t max_count) {
   const std::size_t step = (pairs.size() + max_count - 1) / max_count;

@@ -20,10 +20,7 @@ std::vector<Correspondence> NearestMatcher::match(const Cloud& source, const Rig
       if (found && filter.passes(j, moved, found->index)) of_block[begin / kBlockSize].push_back({j, found->index});
     }
   });
-  std::vector<Correspondence> pairs;
-  pairs.reserve(source.size());
-  for (const auto& block : of_block) pairs.insert(pairs.end(), block.begin(), block.end());
-  return pairs;
+  return joined(of_block);
 }
 
 Agreement NearestMatcher::agreement(const Cloud& source, const Rigid3& target_from_source,

@@ -33,14 +33,4 @@ PairFilter::PairFilter(const Cloud& source, const Cloud& target, const Rigid3& t
       same_structure_(gates.same_structure && source.has_directions() && target.has_directions()),
       signed_normals_(normals_have_signs(source, target)) {}
 
-bool PairFilter::directions_agree(std::uint32_t source_index, std::uint32_t target_index) const {
-  if (!compares_angles_ && !same_structure_) return true;
-  const Structure of_source = source_.structures[source_index], of_target = target_.structures[target_index];
-  if (of_source != of_target) return !same_structure_ || of_source == Structure::None || of_target == Structure::None;
-  if (!compares_angles_ || of_target == Structure::None) return true;
-  const float cosine = target_.directions[target_index].dot(rotation_ * source_.directions[source_index]);
-  const bool with_sign = signed_normals_ && of_target == Structure::Planar;
-  return (with_sign ? cosine : std::abs(cosine)) >= min_cosine_;
-}
-
 }  // namespace augicp

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+
 #include "augicp/geometry/rigid3.h"
 #include "augicp/match/gates.h"
 
@@ -22,7 +25,15 @@ class PairFilter {
   }
 
  private:
-  bool directions_agree(std::uint32_t source_index, std::uint32_t target_index) const;
+  bool directions_agree(std::uint32_t source_index, std::uint32_t target_index) const {
+    if (!compares_angles_ && !same_structure_) return true;
+    const Structure of_source = source_.structures[source_index], of_target = target_.structures[target_index];
+    if (of_source != of_target) return !same_structure_ || of_source == Structure::None || of_target == Structure::None;
+    if (!compares_angles_ || of_target == Structure::None) return true;
+    const float cosine = target_.directions[target_index].dot(rotation_ * source_.directions[source_index]);
+    const bool with_sign = signed_normals_ && of_target == Structure::Planar;
+    return (with_sign ? cosine : std::abs(cosine)) >= min_cosine_;
+  }
 
   const Cloud& source_;
   const Cloud& target_;

@@ -33,24 +33,18 @@ std::vector<Correspondence> ProjectiveMatcher::match(const Cloud& source, const 
   const PairFilter filter(source, target_, target_from_source, gates);
   if (source.size() * kPixelsPerSparsePoint < index_.index.size()) return match_points(source, filter);
   const IndexImage seen = project(source, target_from_source, camera_, index_.width, index_.height, num_threads);
-  // Every block of pixels writes to its own part, which is then moved up to those before.
-  std::vector<Correspondence> pairs(seen.index.size());
-  std::vector<std::size_t> num_found((pairs.size() + kLightBlockSize - 1) / kLightBlockSize);
+  std::vector<std::vector<Correspondence>> of_block((seen.index.size() + kLightBlockSize - 1) / kLightBlockSize);
   const auto match_pixels = [&](std::size_t begin, std::size_t end) {
-    std::size_t next = begin;
+    std::vector<Correspondence>& pairs = of_block[begin / kLightBlockSize];
+    pairs.reserve(end - begin);
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
       if (seen.index[pixel] == IndexImage::kNone || index_.index[pixel] == IndexImage::kNone) continue;
       const auto j = static_cast<std::uint32_t>(seen.index[pixel]), i = static_cast<std::uint32_t>(index_.index[pixel]);
-      if (filter.passes(j, filter.moved(j), i)) pairs[next++] = {j, i};
+      if (filter.passes(j, filter.moved(j), i)) pairs.push_back({j, i});
     }
-    num_found[begin / kLightBlockSize] = next - begin;
   };
-  for_each_block(pairs.size(), num_threads, match_pixels, kLightBlockSize);
-  std::size_t num_pairs = 0;
-  for (std::size_t block = 0; block < num_found.size(); ++block)
-    for (std::size_t k = 0; k < num_found[block]; ++k) pairs[num_pairs++] = pairs[block * kLightBlockSize + k];
-  pairs.resize(num_pairs);
-  return pairs;
+  for_each_block(seen.index.size(), num_threads, match_pixels, kLightBlockSize);
+  return joined(of_block);
 }
 
 std::vector<Correspondence> ProjectiveMatcher::match_points(const Cloud& source, const PairFilter& filter) const {

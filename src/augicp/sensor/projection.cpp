@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/sensor/projection.h"
 
-#include <algorithm>
-#include <bit>
-#include <limits>
-#include <vector>
+#include <memory>
 
 #include "augicp/core/parallel.h"
 #include "augicp/core/vectorized.h"
 
 namespace augicp {
 namespace {
-
-// A z-buffer cell: depth in the upper half, index in the lower. Positive floats order as their bits do, so that the
-// smallest key is the nearest point, and among equals the lowest index.
-using Key = std::uint64_t;
-constexpr Key kEmpty = std::numeric_limits<Key>::max();
-
-Key key_of(float depth, std::size_t index) {
-  return static_cast<Key>(std::bit_cast<std::uint32_t>(depth)) << 32 | index;
-}
 
 // What a point's place in the image depends on, as float.
 struct View {
@@ -42,8 +30,10 @@ View view_of(const Rigid3& camera_from_points, const Pinhole& camera, int width,
 
 // Where a point is seen: its pixel, negative outside the image, and its depth.
 struct Projected {
-  std::vector<std::int32_t> pixel;
-  std::vector<float> depth;
+  explicit Projected(std::size_t count)
+      : pixel(std::make_unique_for_overwrite<std::int32_t[]>(count)), depth(std::make_unique_for_overwrite<float[]>(count)) {}
+  std::unique_ptr<std::int32_t[]> pixel;
+  std::unique_ptr<float[]> depth;
 };
 
 // xyz: three numbers a point.
@@ -75,20 +65,19 @@ IndexImage project(const Cloud& cloud, const Rigid3& camera_from_points, const P
   IndexImage seen(width, height);
   const View view = view_of(camera_from_points, camera, width, height);
   static_assert(sizeof(Vec3f) == 3 * sizeof(float));
-  Projected projected{std::vector<std::int32_t>(cloud.size()), std::vector<float>(cloud.size())};
+  const Projected projected(cloud.size());
   const auto project_points = [&](std::size_t begin, std::size_t end) {
     project_block(cloud.points[begin].data(), end - begin, view, &projected.pixel[begin], &projected.depth[begin]);
   };
   for_each_block(cloud.size(), num_threads, project_points, kLightBlockSize);
-  // On one thread: it takes less time than threads would need to exchange keys without losing one.
-  std::vector<Key> cells(seen.index.size(), kEmpty);
+  // The z-buffer, whose cells are the image: the nearest point, and among equals the first. On one thread: it takes less time
+  // than threads would need to exchange cells without losing a point.
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (projected.pixel[i] < 0) continue;
-    Key& cell = cells[static_cast<std::size_t>(projected.pixel[i])];
-    cell = std::min(cell, key_of(projected.depth[i], i));
+    std::int32_t& nearest = seen.index[static_cast<std::size_t>(projected.pixel[i])];
+    if (nearest == IndexImage::kNone || projected.depth[i] < projected.depth[static_cast<std::size_t>(nearest)])
+      nearest = static_cast<std::int32_t>(i);
   }
-  for (std::size_t i = 0; i < cells.size(); ++i)  // what is left empty has all bits set, which is kNone
-    seen.index[i] = static_cast<std::int32_t>(cells[i] & 0xffffffffu);
   return seen;
 }
 
