@@ -106,7 +106,7 @@ void judge_observability(const Cloud& source, const Matcher& matcher, const Rigi
     result.status = AlignStatus::Degenerate;
   else if (options.correlation_length > 0.0)
     result.covariance = covariance(source, matcher, {pose, pass.gates, pass.pairs, pass.objective},
-                                   options.correlation_length, result.observability.directions);
+                                   options.correlation_length, result.observability.directions, options.num_threads);
 }
 
 // The step that leaves the num_free weakest directions of this iteration alone.

@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/parallel.h"
 #include "augicp/geometry/rigid3.h"
 
 namespace augicp {
 namespace {
 
 // Cells are told apart by a hash: two that fall together are taken as one, which adds nothing on average.
-constexpr std::size_t kNumBuckets = 4096;
+constexpr std::size_t kNumBuckets = 4096, kBucketsPerBlock = 256;
 
 std::size_t bucket_of(const Vec3f& point, float cells_per_metre) {
   const auto cell = [&](int axis) {
@@ -55,48 +56,67 @@ constexpr double kStepPerLength = 0.05;
 
 // How the gradient changes with the pose, by central differences of a step along each direction: with the pairs each pose
 // finds. The directions turn about the middle of the pairs: a turn about a zero far off would move all points far.
-Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, const Mat6d& directions, double step) {
+Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, const Mat6d& directions, double step,
+                int num_threads) {
   const Cloud asked = evenly_chosen(source, kNumAsked);
   const auto gradient = [&](const Vec6d& increment) -> Vec6d {
     const Rigid3 pose = retract(solution.target_from_source, increment);
     const auto pairs = matcher.match(asked, pose, solution.gates, 1);
     return linearize(asked, matcher.target(), pairs, pose, solution.objective, 1).b;
   };
+  std::array<Vec6d, 12> gradients;  // ahead and behind by turns
+  const auto find_gradient = [&](std::size_t k, std::size_t) {
+    gradients[k] = gradient((k % 2 == 0 ? step : -step) * directions.col(static_cast<Eigen::Index>(k / 2)));
+  };
+  for_each_block(gradients.size(), num_threads, find_gradient, 1);
   Mat6d changes;
-  for (int k = 0; k < 6; ++k) {
-    const Vec6d increment = step * directions.col(k);
-    changes.col(k) = (gradient(increment) - gradient(-increment)) / (2.0 * step);
-  }
+  for (std::size_t k = 0; k < 6; ++k)
+    changes.col(static_cast<Eigen::Index>(k)) = (gradients[2 * k] - gradients[2 * k + 1]) / (2.0 * step);
   const double points_per_asked = static_cast<double>(source.size()) / static_cast<double>(asked.size());
   const Mat6d along = 0.5 * points_per_asked * (directions.transpose() * changes + changes.transpose() * directions);
   const Mat6d back = directions.inverse();
   return back.transpose() * along * back;
 }
 
+struct Products {
+  Mat6d sum = Mat6d::Zero();  // of g g^T
+  int num_cells = 0;
+  Products& operator+=(const Products& other) {
+    sum += other.sum;
+    num_cells += other.num_cells;
+    return *this;
+  }
+};
+
 // The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for that.
-std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution, double cell_size) {
+std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution, double cell_size,
+                                         int num_threads) {
   const Buckets buckets = in_buckets(target, solution.pairs, cell_size);
   const std::span<const Correspondence> sorted(buckets.pairs);
-  Mat6d M = Mat6d::Zero();
-  int num_cells = 0;
-  for (std::size_t b = 0; b < kNumBuckets; ++b) {
-    const auto of_cell = sorted.subspan(buckets.begin[b], buckets.begin[b + 1] - buckets.begin[b]);
-    if (of_cell.empty()) continue;
-    const Vec6d g = linearize(source, target, of_cell, solution.target_from_source, solution.objective, 1).b;
-    M += g * g.transpose();
-    ++num_cells;
-  }
-  if (num_cells <= 6) return std::nullopt;
-  return static_cast<double>(num_cells) / static_cast<double>(num_cells - 6) * M;
+  const auto products_of = [&](std::size_t begin, std::size_t end) {
+    Products products;
+    for (std::size_t b = begin; b < end; ++b) {
+      const auto of_cell = sorted.subspan(buckets.begin[b], buckets.begin[b + 1] - buckets.begin[b]);
+      if (of_cell.empty()) continue;
+      const Vec6d g = linearize(source, target, of_cell, solution.target_from_source, solution.objective, 1).b;
+      products.sum += g * g.transpose();
+      ++products.num_cells;
+    }
+    return products;
+  };
+  const auto products = blocked_sum<Products>(kNumBuckets, num_threads, products_of, kBucketsPerBlock);
+  if (products.num_cells <= 6) return std::nullopt;
+  return static_cast<double>(products.num_cells) / static_cast<double>(products.num_cells - 6) * products.sum;
 }
 
 }  // namespace
 
 std::optional<Mat6d> covariance(const Cloud& source, const Matcher& matcher, const Solution& solution,
-                                double correlation_length, const Mat6d& directions) {
-  const auto M = spread_of_gradients(source, matcher.target(), solution, correlation_length);
+                                double correlation_length, const Mat6d& directions, int num_threads) {
+  const auto M = spread_of_gradients(source, matcher.target(), solution, correlation_length, num_threads);
   if (!M) return std::nullopt;
-  const Eigen::LDLT<Mat6d> A(curvature(source, matcher, solution, directions, kStepPerLength * correlation_length));
+  const Eigen::LDLT<Mat6d> A(
+      curvature(source, matcher, solution, directions, kStepPerLength * correlation_length, num_threads));
   if (A.info() != Eigen::Success || !(A.vectorD().minCoeff() > 0.0)) return std::nullopt;
   const Mat6d half = A.solve(*M);  // A^-1 M, whose transpose is M A^-1
   const Mat6d both = A.solve(Mat6d(half.transpose()));

@@ -25,9 +25,9 @@ struct Solution {
 // the cluster-robust "sandwich" (White 1980; Liang and Zeger 1986). It needs no model of the noise, for what is seen is
 // taken, and none of its correlation but a length: errors of points in one cell may hang together in any way, those of
 // different cells may not. A is how the gradient changes with the pose when the pairs do too: H takes the pairs as
-// fixed, and so as holding the clouds along their surfaces too, which pairs that are found anew do not. gyration: see
+// fixed, and so as holding the clouds along their surfaces too, which pairs that are found anew do not. directions: see
 // Observability. Absent where the pose is no minimum in this sense, or cells are too few. Not for degenerate problems.
 std::optional<Mat6d> covariance(const Cloud& source, const Matcher& matcher, const Solution& solution,
-                                double correlation_length, const Mat6d& directions);
+                                double correlation_length, const Mat6d& directions, int num_threads);
 
 }  // namespace augicp

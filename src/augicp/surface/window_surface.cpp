@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "augicp/core/parallel.h"
 #include "augicp/core/vectorized.h"
 #include "augicp/surface/window_sums.h"
 
@@ -268,17 +269,20 @@ void WindowSurface::find_creases() {
 }
 
 void WindowSurface::store(Cloud& cloud) const {
-  cloud.directions.assign(cloud.size(), Vec3f::Zero());  // so they stay where a point has no pixel
+  cloud.directions.assign(cloud.size(), Vec3f::Zero());  // so they stay where a point has no pixel or no structure
   cloud.structures.assign(cloud.size(), Structure::None);
-  for (std::size_t pixel = 0; pixel < index_.index.size(); ++pixel) {
-    const std::int32_t i = index_.index[pixel];
-    if (i == IndexImage::kNone) continue;
-    const Structure structure = structures_[pixel];
-    Vec3f direction = structure == Structure::None ? Vec3f::Zero() : Vec3f(directions_[pixel].xyz);
-    if (structure == Structure::Planar && cloud.viewpoint) point_towards(*cloud.viewpoint, cloud.points[i], direction);
-    cloud.structures[i] = structure;
-    cloud.directions[i] = direction;
-  }
+  const auto store_pixels = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t pixel = begin; pixel < end; ++pixel) {
+      const std::int32_t i = index_.index[pixel];
+      const Structure structure = structures_[pixel];
+      if (i == IndexImage::kNone || structure == Structure::None) continue;
+      Vec3f direction(directions_[pixel].xyz);
+      if (structure == Structure::Planar && cloud.viewpoint) point_towards(*cloud.viewpoint, cloud.points[i], direction);
+      cloud.structures[i] = structure;
+      cloud.directions[i] = direction;
+    }
+  };
+  for_each_block(index_.index.size(), num_threads_, store_pixels, kLightBlockSize);
 }
 
 }  // namespace
