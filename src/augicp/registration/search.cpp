@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 
+#include "augicp/core/parallel.h"
 #include "augicp/registration/hypotheses.h"
 #include "augicp/registration/levels.h"
 
@@ -66,32 +68,41 @@ std::optional<Hypothesis> led_on(const Level& level, const Rigid3& start, const 
                     result.status == AlignStatus::Degenerate};
 }
 
-std::vector<Hypothesis> led_on(const Level& level, const std::vector<Rigid3>& starts, const AlignOptions& options) {
+// Side by side: a start on few points gives threads nothing to share.
+std::vector<Hypothesis> led_on(const Level& level, std::span<const Rigid3> starts, const AlignOptions& options) {
+  std::vector<std::optional<Hypothesis>> of_start(starts.size());
+  const auto follow = [&](std::size_t k, std::size_t) { of_start[k] = led_on(level, starts[k], options); };
+  for_each_block(starts.size(), options.num_threads, follow, 1);
   std::vector<Hypothesis> found;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    const auto hypothesis = led_on(level, starts[k], options);
-    if (!hypothesis) continue;
-    found.push_back(*hypothesis);
-    if (k == 0 && hypothesis->plausibility > kConvincing) break;  // the guess
-  }
+  for (const auto& hypothesis : of_start)
+    if (hypothesis) found.push_back(*hypothesis);
   return found;
-}
-
-// Where lines of sight lead nowhere, nearest points may: they pull two images together from half a metre, though not always to
-// where they belong. So they only propose starts.
-std::vector<Rigid3> pulled_together(const Level& coarse, const std::vector<Rigid3>& starts, const Lengths& lengths,
-                                    RegistrationOptions options) {
-  options.association = Association::Nearest;
-  const Level nearest(scan_of(coarse.source().cloud), scan_of(coarse.target().cloud), lengths, options);
-  const AlignOptions by = cloud_options(nearest, options);
-  std::vector<Rigid3> pulled;
-  for (const Rigid3& start : starts) pulled.push_back(nearest.align(start, by).target_from_source);
-  return pulled;
 }
 
 bool is_convincing(const std::vector<Hypothesis>& hypotheses) {
   return std::any_of(hypotheses.begin(), hypotheses.end(),
                      [](const Hypothesis& hypothesis) { return hypothesis.plausibility > kConvincing; });
+}
+
+// The first start is the guess: where it convinces the others are not tried.
+std::vector<Hypothesis> led_on_from_guess(const Level& level, std::span<const Rigid3> starts, const AlignOptions& options) {
+  std::vector<Hypothesis> found = led_on(level, starts.first(1), options);
+  if (is_convincing(found)) return found;
+  const auto others = led_on(level, starts.subspan(1), options);
+  found.insert(found.end(), others.begin(), others.end());
+  return found;
+}
+
+// Where lines of sight lead nowhere, nearest points may: they pull two images together from half a metre, though not always to
+// where they belong. So they only propose starts.
+std::vector<Rigid3> pulled_together(const Level& coarse, std::vector<Rigid3> starts, const Lengths& lengths,
+                                    RegistrationOptions options) {
+  options.association = Association::Nearest;
+  const Level nearest(scan_of(coarse.source().cloud), scan_of(coarse.target().cloud), lengths, options);
+  const AlignOptions by = cloud_options(nearest, options);
+  const auto pull = [&](std::size_t k, std::size_t) { starts[k] = nearest.align(starts[k], by).target_from_source; };
+  for_each_block(starts.size(), options.num_threads, pull, 1);
+  return starts;
 }
 
 std::vector<Hypothesis> coarse_hypotheses(const Level& coarse, const Rigid3& guess, const Lengths& lengths,
@@ -100,10 +111,12 @@ std::vector<Hypothesis> coarse_hypotheses(const Level& coarse, const Rigid3& gue
   const bool projective = is_projective(coarse.target(), options.association);
   const Vec3d pivot = guess * pivot_of(coarse.source());
   const AlignOptions by = projective ? image_options(coarse) : cloud_options(coarse, options);
-  std::vector<Hypothesis> found = led_on(coarse, turned(guess, pivot, has_images ? kTurnsOfImages : kTurnsOfClouds), by);
+  std::vector<Hypothesis> found =
+      led_on_from_guess(coarse, turned(guess, pivot, has_images ? kTurnsOfImages : kTurnsOfClouds), by);
   if (!projective || is_convincing(found)) return found;
   const auto pulled = pulled_together(coarse, turned(guess, pivot, kTurnsOfPulled), lengths, options);
-  for (const Hypothesis& hypothesis : led_on(coarse, pulled, by)) found.push_back(hypothesis);
+  const auto led = led_on_from_guess(coarse, pulled, by);
+  found.insert(found.end(), led.begin(), led.end());
   return found;
 }
 
@@ -120,10 +133,9 @@ Rigid3 search_start(const Scan& source, const Scan& target, const Rigid3& guess_
                      coarser(target, kMiddleColumns, kMiddleVoxels, lengths), lengths, options);
   AlignOptions by = middle.usual_options();
   by.max_iterations = kMiddleIterations;
-  std::vector<Hypothesis> refined;
-  for (const Hypothesis& candidate : candidates)
-    if (const auto hypothesis = led_on(middle, candidate.target_from_source, by)) refined.push_back(*hypothesis);
-  const auto best = best_of(refined, 1, 0.0, 0.0);
+  std::vector<Rigid3> starts;
+  for (const Hypothesis& candidate : candidates) starts.push_back(candidate.target_from_source);
+  const auto best = best_of(led_on(middle, starts, by), 1, 0.0, 0.0);
   // Before a wall the guess says what the wall does not, and must not be taken along by few and noisy points.
   const bool is_guess = best.empty() || (best.front().is_free && angle_between(best.front().target_from_source,
                                                                                guess_target_from_source) < kOwnAngle);
