@@ -6,9 +6,12 @@
 #include <cstdio>
 #include <string>
 
+#include "augicp/cloud/voxel_grid.h"
 #include "augicp/match/matcher.h"
 #include "augicp/objective/linearize.h"
 #include "augicp/sensor/depth_camera.h"
+#include "augicp/surface/ball_neighbourhood.h"
+#include "augicp/surface/estimate_surface.h"
 #include "augicp/surface/window_surface.h"
 #include "augicp/testing/rendering.h"
 #include "augicp/testing/scenes.h"
@@ -62,6 +65,9 @@ int main() {
   for (OrganizedCloud* image : {&target, &source}) estimate_surface(image->cloud, image->index, window, {}, 1);
   print("target", target.cloud);
   print("source", source.cloud);
+  Cloud bare = evenly_chosen(source.cloud, 5000);
+  estimate_surface(bare, BallNeighbourhood(bare, {0.1}, 1), {}, 1);
+  print("bare source", bare);
   const ProjectiveMatcher matcher(target.cloud, target.index, seen.camera);
   const Rigid3 pose{Eigen::Quaterniond(Eigen::AngleAxisd(0.02, Vec3d(0.6, 0.0, 0.8))), Vec3d(0.01, -0.02, 0.005)};
   const auto pairs = matcher.match(source.cloud, pose, {}, 1);
