@@ -41,8 +41,8 @@ without the GIL; may be called from several threads at once; Ctrl-C ends it betw
 Result register_pair(const Scan& source, const Scan& target, const Rigid3& initial, RegistrationOptions options) {
   const Lengths lengths = lengths_for(source, target, options);
   Result result;
-  result.found = register_prepared(prepare(source, lengths, options), prepare(target, lengths, options), initial,
-                                   lengths, options);
+  const ScanPair pair = prepare_both(source, target, lengths, options);
+  result.found = register_prepared(pair.source, pair.target, initial, lengths, options);
   options.stop = {};
   if (lengths.radius > 0.0) {
     options.radius = lengths.radius;

@@ -54,8 +54,9 @@ AlignRun register_files(const AlignArguments& arguments) {
   report.timing_ms.read = reading.elapsed_ms();
   const Stopwatch preparing;
   report.lengths = lengths_for(run.source_as_read, target, options);
-  run.source = prepare(run.source_as_read, report.lengths, options);
-  run.target = prepare(std::move(target), report.lengths, options);
+  ScanPair prepared = prepare_both(run.source_as_read, std::move(target), report.lengths, options);
+  run.source = std::move(prepared.source);
+  run.target = std::move(prepared.target);
   report.timing_ms.surface = preparing.elapsed_ms();
   const Stopwatch aligning;
   report.result = register_prepared(run.source, run.target, run.initial, report.lengths, options);

@@ -60,8 +60,7 @@ std::vector<BasinCell> run_basin(const Scan& source, const Scan& target, const R
                                  const BasinOptions& options, const std::function<void()>& on_start) {
   options.check();
   const Lengths lengths = lengths_for(source, target, options.registration);
-  const Scan moving = prepare(source, lengths, options.registration),
-             fixed = prepare(target, lengths, options.registration);
+  const auto [moving, fixed] = prepare_both(source, target, lengths, options.registration);
   const PoseError limit = basin_limit(source, target, options);
   const Vec3d middle = middle_of(source.cloud);
   std::mt19937 generator(options.seed);

@@ -7,7 +7,7 @@
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 #include "augicp/geometry/rotation.h"
-#include "augicp/objective/pair_batch.h"
+#include "augicp/objective/pair_reader.h"
 
 namespace augicp {
 namespace {

@@ -6,10 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-
-#include "augicp/cloud/correspondence.h"
-#include "augicp/objective/information.h"
 
 namespace augicp {
 
@@ -34,45 +30,6 @@ struct PairBatch {
   alignas(64) Array<float> direction_error[3];   // l_i - m
   alignas(64) Array<float> along, across;        // of the positions' information
   alignas(64) Array<float> direction_along, direction_across;  // of the directions', zero where they are not compared
-};
-
-// A number for each Structure.
-struct ByStructure {
-  float none, planar, edge;
-  float of(std::int32_t structure) const {
-    return structure == static_cast<std::int32_t>(Structure::Planar) ? planar
-           : structure == static_cast<std::int32_t>(Structure::Edge) ? edge
-                                                                     : none;
-  }
-};
-
-// What all pairs share. Information is in a unit of its own, so that float holds it.
-struct PairModel {
-  double rotation[9];  // row by row
-  double translation[3];
-  ByStructure along, across, direction_along, direction_across;
-  float one_sided;  // 1 where a normal and its opposite differ, else 0
-};
-
-class PairReader {
- public:
-  // The clouds must outlive it. target_from_source maps between the clouds' points, without their origins.
-  PairReader(const Cloud& source, const Cloud& target, const Rigid3& target_from_source,
-             const InformationModel& information);
-
-  // At most kPairsPerBatch pairs under the pose.
-  void read(std::span<const Correspondence> pairs, PairBatch& batch) const;
-
-  double information_unit() const { return information_unit_; }
-
- private:
-  void gather(std::span<const Correspondence> pairs, PairBatch& batch) const;
-
-  const Cloud& source_;
-  const Cloud& target_;
-  double information_unit_;
-  PairModel model_;
-  bool compares_directions_;
 };
 
 // chi2 = e^T Omega e in its two parts.

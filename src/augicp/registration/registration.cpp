@@ -2,8 +2,10 @@
 #include "augicp/registration/registration.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/parallel.h"
 #include "augicp/core/stop.h"
 #include "augicp/registration/coarse_to_fine.h"
 #include "augicp/registration/level.h"
@@ -69,6 +71,16 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   return scan;
 }
 
+ScanPair prepare_both(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options) {
+  ScanPair pair{std::move(source), std::move(target)};
+  const auto prepare_one = [&](std::size_t which, std::size_t) {
+    Scan& scan = which == 0 ? pair.source : pair.target;
+    scan = prepare(std::move(scan), lengths, options);
+  };
+  for_each_block(2, options.num_threads, prepare_one, 1);
+  return pair;
+}
+
 AlignResult register_prepared(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
                               const Lengths& lengths, const RegistrationOptions& options) {
   is_projective(target, options.association);  // throws where it cannot be
@@ -84,8 +96,8 @@ AlignResult register_scans(const Scan& source, const Scan& target, const Rigid3&
                            const RegistrationOptions& options) {
   options.check();
   const Lengths lengths = lengths_for(source, target, options);
-  return register_prepared(prepare(source, lengths, options), prepare(target, lengths, options),
-                           initial_target_from_source, lengths, options);
+  const ScanPair pair = prepare_both(source, target, lengths, options);
+  return register_prepared(pair.source, pair.target, initial_target_from_source, lengths, options);
 }
 
 }  // namespace augicp

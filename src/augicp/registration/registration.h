@@ -12,6 +12,12 @@ namespace augicp {
 // unless the cloud brought them, and gradients of the intensity where that is to count. May be empty.
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options);
 
+// A source and a target, side by side: what of one is no work for several threads runs beside the other's.
+struct ScanPair {
+  Scan source, target;
+};
+ScanPair prepare_both(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options);
+
 // Finds the motion between two prepared scans. initial_target_from_source is between the clouds' frames.
 AlignResult register_prepared(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
                               const Lengths& lengths, const RegistrationOptions& options);

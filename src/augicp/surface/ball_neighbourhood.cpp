@@ -7,51 +7,14 @@
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
-#include "augicp/core/vectorized.h"
 #include "augicp/search/cell_grid.h"
 #include "augicp/search/kd_tree.h"
+#include "augicp/surface/ball_candidates.h"
 
 namespace augicp {
 namespace {
 
 constexpr std::size_t kCellsPerBlock = 16, kPointsPerBlock = 256;
-
-// Points as arrays, so that compilers make vectors of their distances.
-struct Candidates {
-  std::vector<std::uint32_t> index;
-  std::vector<float> x, y, z, distance_sq;
-
-  void read(const Cloud& cloud) {
-    for (std::vector<float>* numbers : {&x, &y, &z, &distance_sq}) numbers->resize(index.size());
-    for (std::size_t k = 0; k < index.size(); ++k) {
-      const Vec3f& point = cloud.points[index[k]];
-      x[k] = point.x(), y[k] = point.y(), z[k] = point.z();
-    }
-  }
-};
-
-AUGICP_VECTORIZED void measure_distances(const float* __restrict x, const float* __restrict y, const float* __restrict z,
-                                         std::size_t count, float px, float py, float pz, float* __restrict distance_sq) {
-  for (std::size_t k = 0; k < count; ++k) {
-    const float dx = x[k] - px, dy = y[k] - py, dz = z[k] - pz;
-    distance_sq[k] = dx * dx + dy * dy + dz * dz;
-  }
-}
-
-// Appends those in the ball, and says how many they are.
-std::size_t append_in_ball(Candidates& candidates, const Vec3f& centre, float radius_sq, std::vector<std::uint32_t>& neighbours) {
-  const std::size_t count = candidates.index.size(), first = neighbours.size();
-  measure_distances(candidates.x.data(), candidates.y.data(), candidates.z.data(), count, centre.x(), centre.y(), centre.z(),
-                    candidates.distance_sq.data());
-  neighbours.resize(first + count);
-  std::size_t next = first;
-  for (std::size_t k = 0; k < count; ++k) {  // without a branch, which would be guessed wrong for a third of them
-    neighbours[next] = candidates.index[k];
-    next += candidates.distance_sq[k] < radius_sq ? 1 : 0;
-  }
-  neighbours.resize(next);
-  return next - first;
-}
 
 // Lists of neighbours take four bytes each. A ball of four voxels, as registration has it, holds 300 points at most; where
 // there are many more, all of them on average, the cloud was not thinned, and its lists would fill the memory.
@@ -98,13 +61,13 @@ void BallNeighbourhood::find_in_balls(const Cloud& cloud, const BallOptions& opt
   Lists lists((grid.num_cells() + kCellsPerBlock - 1) / kCellsPerBlock);
   std::atomic<std::size_t> num_neighbours{0};
   const auto find_in_cells = [&](std::size_t begin, std::size_t end) {
-    Candidates candidates;
+    BallCandidates candidates;
     std::vector<std::uint32_t>& neighbours = lists[begin / kCellsPerBlock].neighbours;
     for (std::size_t cell = begin; cell < end; ++cell) {
-      grid.around(cell, candidates.index);
+      grid.around(cell, candidates.index());
       candidates.read(cloud);
       for (const std::uint32_t i : grid.points_of(cell)) {
-        const std::size_t count = append_in_ball(candidates, cloud.points[i], radius_sq, neighbours);
+        const std::size_t count = candidates.append_in_ball(cloud.points[i], radius_sq, neighbours);
         lists[begin / kCellsPerBlock].points.push_back({i, count});
         require(num_neighbours.fetch_add(count) + count <= max_neighbours(cloud.size()), "radius", options.radius,
                 "the ball holds more than 512 points on average; thin the cloud, or use a smaller ball");
