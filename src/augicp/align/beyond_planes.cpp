@@ -99,6 +99,7 @@ double share_beyond_planes(const Cloud& cloud, std::span<const std::uint32_t> po
                            const AgreementTolerance& tolerance) {
   if (points.empty() || !cloud.has_directions()) return 1.0;
   std::vector<Candidate> rest;
+  rest.reserve(points.size());
   for (const std::uint32_t i : points) rest.push_back({cloud.points[i].cast<double>(), allowed(cloud, i, tolerance), i});
   for (int k = 0; k < kNumPlanes && !rest.empty(); ++k) {
     const Plane plane = best_plane(cloud, rest);

@@ -20,8 +20,10 @@ namespace {
 constexpr std::size_t kNumBuckets = 4096, kBucketsPerBlock = 256;
 
 std::size_t bucket_of(const Vec3f& point, float cells_per_metre) {
+  constexpr float kFarthest = 2e9f;  // that an integer holds
   const auto cell = [&](int axis) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(point[axis] * cells_per_metre)));
+    const float place = std::floor(point[axis] * cells_per_metre);
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(place, -kFarthest, kFarthest)));
   };
   std::uint32_t hash = cell(0) * 73856093u ^ cell(1) * 19349663u ^ cell(2) * 83492791u;
   hash ^= hash >> 15;

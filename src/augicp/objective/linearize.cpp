@@ -54,10 +54,11 @@ NormalEquations equations_of(const BlockSums& sums, double unit) {
   return equations;
 }
 
-// The nearest float above zero.
-float in_float(double positive) {
-  using Limits = std::numeric_limits<float>;
-  return static_cast<float>(std::clamp<double>(positive, Limits::min(), Limits::max()));
+// So small a kernel, in the information's unit, is as good as zero, and chi2 over it still is a float.
+constexpr double kLeastKernel = 1e-30;
+
+float in_float(double number, double least) {
+  return static_cast<float>(std::clamp<double>(number, least, std::numeric_limits<float>::max()));
 }
 
 // Calls body(first pair, count, batch) for all pairs of [begin, end).
@@ -81,8 +82,8 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
           "must be above 0");
   const PairReader reader(source, target, target_from_source, objective.information);
   const double unit = reader.information_unit();
-  const float kernel_chi2 = in_float(objective.kernel_chi2 / unit),
-              kernel_direction_chi2 = in_float(objective.kernel_direction_chi2 / unit);
+  const float kernel_chi2 = in_float(objective.kernel_chi2 / unit, kLeastKernel),
+              kernel_direction_chi2 = in_float(objective.kernel_direction_chi2 / unit, kLeastKernel);
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     BlockSums block;
     PairTerms terms;
@@ -103,15 +104,16 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
 PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                        const Rigid3& target_from_source, const InformationModel& information, int num_threads) {
   const PairReader reader(source, target, target_from_source, information);
-  const auto unit = static_cast<float>(reader.information_unit());
+  const double unit = reader.information_unit();
+  const auto in_unit = [&](float number) { return in_float(unit * static_cast<double>(number), 0.0); };
   PairChi2 chi2{std::vector<float>(pairs.size()), std::vector<float>(pairs.size())};
   const auto write_chi2 = [&](std::size_t begin, std::size_t end) {
     BatchChi2 of_batch;
     for_each_batch(reader, pairs, begin, end, [&](std::size_t first, std::size_t count, const PairBatch& batch) {
       chi2_of(batch, of_batch);
       for (std::size_t k = 0; k < count; ++k) {
-        chi2.position[first + k] = unit * of_batch.position[k];
-        chi2.direction[first + k] = batch.compares[k] > 0.0f ? unit * of_batch.direction[k] : -1.0f;
+        chi2.position[first + k] = in_unit(of_batch.position[k]);
+        chi2.direction[first + k] = batch.compares[k] > 0.0f ? in_unit(of_batch.direction[k]) : -1.0f;
       }
     });
   };

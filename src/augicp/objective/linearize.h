@@ -16,7 +16,8 @@ namespace augicp {
 struct Objective {
   InformationModel information;
 
-  // K: a pair whose chi2 is above counts with gamma = K / chi2. In units of chi2, above 0.
+  // K: a pair whose chi2 is above counts with gamma = K / chi2. In units of chi2, above 0; 1e-30 of the largest information is the
+  // least.
   double kernel_chi2 = std::numeric_limits<double>::infinity();
 
   // The same for the direction's part alone, before it enters chi2: two directions may be unlike (clutter, a wrong pair)
@@ -27,7 +28,8 @@ struct Objective {
   IntensityModel intensity{};
 };
 
-// H, b and cost over the pairs. Points of both clouds are taken without their origins. A linear part counts where both
+// H, b and cost over the pairs. Points of both clouds are taken without their origins, and should lie within a thousand extents
+// of zero, as those of files do: what is made of errors is float. A linear part counts where both
 // points of a pair have the same structure; a tangent, and a normal unless both sensors' places are known, is compared
 // without its sign. Omega is scaled by the target point's weight where it has one. Sums are the same for any number of threads.
 NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,

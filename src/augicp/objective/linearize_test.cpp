@@ -316,6 +316,21 @@ TEST(Linearize, LossAndItsSlopeAreContinuousAtTheKernel) {
   EXPECT_NE(below.cost, above.cost);
 }
 
+// Far beyond what a float holds: information has a unit of its own, and a kernel is never nearer to zero than chi2 can bear.
+TEST(Linearize, NumbersOutOfTheRangeOfFloatAreHeld) {
+  for (double scale : {1e-60, 1e-39, 1e39, 1e300}) {
+    const InformationModel model{{{scale, scale}, {}}, {{scale, scale}, {}}, {{scale, scale}, {}}};
+    const NormalEquations equations = linearize(one_pair(0.5), Rigid3{}, {model});
+    EXPECT_NEAR(equations.H(0, 0) / scale, 1.0, 1e-7);
+    EXPECT_NEAR(equations.cost / scale, 0.125, 1e-7);
+    const TwoClouds perfect = one_pair(0.0);
+    EXPECT_EQ(chi2_of_pairs(perfect.source, perfect.target, perfect.pairs, Rigid3{}, model, 1).position[0], 0.0f);
+  }
+  const NormalEquations hardly = linearize(one_pair(3.0), Rigid3{}, {point_information(), 1e-45, 1e-45});
+  EXPECT_GT(hardly.H(0, 0), 0.0);
+  EXPECT_LT(hardly.b[0], 0.0);
+}
+
 TEST(Linearize, ChiSquareOfPairsAddsUpToTheCost) {
   const TwoClouds two = random_pairs(5000, 14);
   const Rigid3 pose = some_poses()[2];

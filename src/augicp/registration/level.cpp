@@ -46,13 +46,13 @@ AlignResult Level::align(const Rigid3& guess, const AlignOptions& options) const
   return augicp::align(source_.cloud, *in_target_, guess, options);
 }
 
-double Level::plausibility(const Rigid3& target_from_source) const {
+double Level::plausibility(const Rigid3& target_from_source, int num_threads) const {
   const Rigid3 pose = without_origins(target_from_source, source_.cloud, target_.cloud);
   Agreement agreement = in_target_->agreement(source_.cloud, pose,
-                                              tolerance_for(target_, lengths_, options_.association), options_.num_threads);
+                                              tolerance_for(target_, lengths_, options_.association), num_threads);
   const Association back = source_.view ? options_.association : Association::Nearest;
   agreement += in_source_->agreement(target_.cloud, inverse(pose), tolerance_for(source_, lengths_, back),
-                                     options_.num_threads);
+                                     num_threads);
   return augicp::plausibility(agreement);
 }
 

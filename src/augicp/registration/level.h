@@ -26,7 +26,7 @@ class Level {
   AlignOptions usual_options() const;
 
   // See plausibility(const Agreement&): of the source in the target and of the target in the source.
-  double plausibility(const Rigid3& target_from_source) const;
+  double plausibility(const Rigid3& target_from_source, int num_threads) const;
 
   // With the first gate.
   std::vector<Correspondence> pairs(const Rigid3& target_from_source) const;

@@ -73,9 +73,11 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
 
 ScanPair prepare_both(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options) {
   ScanPair pair{std::move(source), std::move(target)};
+  RegistrationOptions of_half = options;  // of the threads
+  if (options.num_threads > 1) of_half.num_threads = options.num_threads / 2;
   const auto prepare_one = [&](std::size_t which, std::size_t) {
     Scan& scan = which == 0 ? pair.source : pair.target;
-    scan = prepare(std::move(scan), lengths, options);
+    scan = prepare(std::move(scan), lengths, of_half);
   };
   for_each_block(2, options.num_threads, prepare_one, 1);
   return pair;

@@ -61,17 +61,23 @@ Vec3d pivot_of(const Scan& scan) {
   return scan.cloud.origin + place.cast<double>();
 }
 
+AlignOptions on_one_thread(AlignOptions options) {
+  options.num_threads = 1;
+  return options;
+}
+
 std::optional<Hypothesis> led_on(const Level& level, const Rigid3& start, const AlignOptions& options) {
   const AlignResult result = level.align(start, options);
   if (!has_pose(result.status)) return std::nullopt;
-  return Hypothesis{result.target_from_source, level.plausibility(result.target_from_source),
+  return Hypothesis{result.target_from_source, level.plausibility(result.target_from_source, options.num_threads),
                     result.status == AlignStatus::Degenerate};
 }
 
-// Side by side: a start on few points gives threads nothing to share.
+// Side by side, each on one thread: a start on few points gives threads nothing to share.
 std::vector<Hypothesis> led_on(const Level& level, std::span<const Rigid3> starts, const AlignOptions& options) {
   std::vector<std::optional<Hypothesis>> of_start(starts.size());
-  const auto follow = [&](std::size_t k, std::size_t) { of_start[k] = led_on(level, starts[k], options); };
+  const AlignOptions alone = on_one_thread(options);
+  const auto follow = [&](std::size_t k, std::size_t) { of_start[k] = led_on(level, starts[k], alone); };
   for_each_block(starts.size(), options.num_threads, follow, 1);
   std::vector<Hypothesis> found;
   for (const auto& hypothesis : of_start)
@@ -99,7 +105,7 @@ std::vector<Rigid3> pulled_together(const Level& coarse, std::vector<Rigid3> sta
                                     RegistrationOptions options) {
   options.association = Association::Nearest;
   const Level nearest(scan_of(coarse.source().cloud), scan_of(coarse.target().cloud), lengths, options);
-  const AlignOptions by = cloud_options(nearest, options);
+  const AlignOptions by = on_one_thread(cloud_options(nearest, options));
   const auto pull = [&](std::size_t k, std::size_t) { starts[k] = nearest.align(starts[k], by).target_from_source; };
   for_each_block(starts.size(), options.num_threads, pull, 1);
   return starts;

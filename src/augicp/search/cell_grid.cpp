@@ -2,6 +2,7 @@
 #include "augicp/search/cell_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -13,23 +14,26 @@ namespace {
 // So much larger than the distance are cells that no rounding puts two points nearer than it two cells apart.
 constexpr double kCellPerDistance = 1.0 + 1e-5;
 
-// Beyond, floats are so far apart that only equal ones are near each other. Leaves room for the cells beside.
-constexpr double kLargest = 1e18;
+// From so many cells on, neighbouring floats are more than a cell apart, so that only equal ones are near each other: each then has
+// a place of its own, far from all others. Counting cells there would put many into one, or leave the range of integers.
+constexpr double kCountedCells = 1 << 26;
+constexpr std::int64_t kApart = std::int64_t{1} << 28;
+
+std::int64_t place_of(float coordinate, double cell) {
+  const double place = static_cast<double>(coordinate) / cell;
+  if (std::abs(place) < kCountedCells) return static_cast<std::int64_t>(std::floor(place));
+  return kApart * std::bit_cast<std::int32_t>(coordinate);
+}
 
 }  // namespace
 
 CellGrid::CellGrid(const Cloud& cloud, double distance) {
   require_positive("distance", distance);
-  const Vec3d min = bounds(cloud).min.cast<double>();
   const double cell = kCellPerDistance * distance;
   std::vector<std::pair<Place, std::uint32_t>> placed(cloud.size());
   for (std::uint32_t i = 0; i < placed.size(); ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto k = static_cast<Eigen::Index>(axis);
-      const double offset = static_cast<double>(cloud.points[i][k]) - min[k];  // never negative: truncation is the floor
-      placed[i].first[axis] = static_cast<std::int64_t>(std::min(offset / cell, kLargest));
-    }
-    placed[i].second = i;
+    const Vec3f& point = cloud.points[i];
+    placed[i] = {{place_of(point.x(), cell), place_of(point.y(), cell), place_of(point.z(), cell)}, i};
   }
   std::sort(placed.begin(), placed.end());
   points_.reserve(placed.size());

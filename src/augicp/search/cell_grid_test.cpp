@@ -66,6 +66,25 @@ TEST(CellGrid, FarOutliersAreCellsOfTheirOwn) {
   EXPECT_EQ(CellGrid(cloud, 1e-6).num_cells(), 1u);
 }
 
+// Far points must not take digits from the others' places, whatever side they are on.
+TEST(CellGrid, NothingIsMissedBesideAFarOutlier) {
+  for (float far : {1e18f, -1e18f, -1e10f}) {
+    Cloud cloud;
+    for (float x : {far, 63.9f, 64.1f, 64.3f, -0.05f, 0.05f}) cloud.points.push_back(Vec3f(x, far > 0.0f ? 0.0f : x, 0.0f));
+    for (double distance : {1.0, 0.21, 1e-6}) expect_nothing_missed(cloud, distance);
+  }
+}
+
+// robustness 10: neither far outliers nor a distance near zero puts points into few cells, of which all pairs would be looked at.
+TEST(CellGrid, CellsHoldFewPoints) {
+  Cloud cloud = random_cloud(2000, 1.0, Vec3d(5.0, -5.0, 0.0));
+  const std::size_t num_cells = CellGrid(cloud, 0.01).num_cells();
+  EXPECT_GT(num_cells, 1900u);
+  for (double distance : {1e-8, 1e-20, 1e-300}) EXPECT_GT(CellGrid(cloud, distance).num_cells(), 1990u);
+  cloud.points.push_back(Vec3f::Constant(-1e18f));
+  EXPECT_EQ(CellGrid(cloud, 0.01).num_cells(), num_cells + 1);
+}
+
 TEST(CellGrid, WhatIsAroundIsNotMuchMore) {
   const Cloud cloud = random_cloud(5000, 1.0, Vec3d::Zero());
   const CellGrid grid(cloud, 0.1);

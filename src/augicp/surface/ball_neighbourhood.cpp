@@ -57,6 +57,7 @@ BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& opti
 
 void BallNeighbourhood::find_in_balls(const Cloud& cloud, const BallOptions& options, int num_threads) {
   const auto radius_sq = static_cast<float>(options.radius * options.radius);
+  if (radius_sq == 0.0f) return;  // no distance is below
   const CellGrid grid(cloud, options.radius);
   Lists lists((grid.num_cells() + kCellsPerBlock - 1) / kCellsPerBlock);
   std::atomic<std::size_t> num_neighbours{0};

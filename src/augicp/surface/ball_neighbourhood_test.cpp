@@ -68,6 +68,14 @@ TEST(BallNeighbourhood, DuplicatesCountOneByOne) {
   EXPECT_TRUE((BallNeighbourhood(cloud, {0.01, 0, 0.0}, 0).sum(ones, 0) == 20.0).all());
 }
 
+// A ball whose squared radius is no float above zero holds nothing, and costs nothing on any number of points.
+TEST(BallNeighbourhood, BallsTooSmallForFloatAreEmpty) {
+  Cloud cloud;
+  cloud.points.assign(200000, Vec3f(1.0f, 2.0f, 3.0f));
+  const Channels ones = Channels::Ones(1, 200000);
+  EXPECT_TRUE((BallNeighbourhood(cloud, {1e-25, 0, 0.0}, 0).sum(ones, 0) == 0.0).all());
+}
+
 TEST(BallNeighbourhood, EmptyCloudHasNoSums) {
   EXPECT_EQ(BallNeighbourhood(Cloud{}, {0.1, 5, 1.0}, 0).sum(Channels(2, 0), 0).cols(), 0);
 }

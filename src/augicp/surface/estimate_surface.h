@@ -8,7 +8,7 @@
 namespace augicp {
 
 enum class Classifier {
-  Normals,      // the default: see shape_of_normals
+  Normals,      // the default: see line_or_normal and what follows it
   Eigenvalues,  // the paper: see shape_of_points
 };
 
