@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include "augicp/testing/decimal_comma.h"
 
 namespace augicp {
 namespace {
@@ -47,12 +48,10 @@ TEST(ParseNumber, CountsAreDigitsBelowTwoToThe64) {
 
 // robustness 6
 TEST(ParseNumber, TheLocaleDoesNotMatter) {
-  const std::string before = std::setlocale(LC_ALL, nullptr);
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr && std::setlocale(LC_ALL, "de_DE.utf8") == nullptr)
-    GTEST_SKIP() << "locale de_DE.UTF-8 is not installed";
+  if (!testing::DecimalComma::exists()) GTEST_SKIP() << "no locale de_DE.UTF-8, and the build could make none";
+  const testing::DecimalComma comma;
   EXPECT_EQ(parse_double("1.5"), 1.5);
   EXPECT_FALSE(parse_double("1,5"));
-  std::setlocale(LC_ALL, before.c_str());
 }
 
 }  // namespace
