@@ -98,5 +98,19 @@ TEST(Rigid3, RoundedMatrixBecomesTheNearestRotation) {
   EXPECT_THAT(read, NearPose(exact, 1e-4, 1e-4));
 }
 
+// Its own matrix is as near to a rotation as numbers come, and a power of two in the last row is told exactly.
+TEST(Rigid3, WhatIsWithinTheToleranceIsRead) {
+  const Mat4d exact = Rigid3{Eigen::Quaterniond(0.0, 0.0, 1.0, 0.0), Vec3d(1.0, 2.0, 3.0)}.matrix();
+  EXPECT_NO_THROW(rigid3_from_matrix(exact, 0.0));
+  Mat4d scaled = exact, projective = exact;
+  scaled(1, 1) = 1.0 + 0x1p-10;
+  projective(3, 1) = 0x1p-10;
+  for (const Mat4d& matrix : {scaled, projective}) {
+    EXPECT_NO_THROW(rigid3_from_matrix(matrix, 0x1p-8));
+    EXPECT_THROW(rigid3_from_matrix(matrix, 0x1p-11), std::invalid_argument);
+  }
+  EXPECT_NO_THROW(rigid3_from_matrix(projective, 0x1p-10)) << "the tolerance itself is allowed";
+}
+
 }  // namespace
 }  // namespace augicp

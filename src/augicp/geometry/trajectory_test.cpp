@@ -23,7 +23,7 @@ TEST(Trajectory, IsInOrderWhenStampsIncrease) {
     return Throws<std::invalid_argument>(Property(&std::invalid_argument::what, HasSubstr(part)));
   };
   EXPECT_THAT([] { check_order({{1.0, {}}, {1.0, {}}}); }, message("pose 1"));
-  EXPECT_THAT([] { check_order({{1.0, {}}, {2.0, {}}, {0.5, {}}}); }, message("pose 2"));
+  EXPECT_THAT([] { check_order({{1.0, {}}, {2.0, {}}, {0.5, {}}}); }, message("found 0.500000 s after 2.000000 s at pose 2"));
   EXPECT_THAT([] { check_order({{std::numeric_limits<double>::quiet_NaN(), {}}}); }, message("pose 0"));
 }
 
@@ -43,6 +43,7 @@ TEST(Trajectory, HasNoPoseOutsideOrInAGap) {
   EXPECT_FALSE(pose_at(trajectory, 9.9, 5.0));
   EXPECT_FALSE(pose_at(trajectory, 14.1, 5.0));
   EXPECT_FALSE(pose_at(trajectory, 12.0, 3.9));
+  EXPECT_TRUE(pose_at(trajectory, 12.0, 4.0)) << "no more than the gap allowed";
   EXPECT_TRUE(pose_at(trajectory, 14.0, 3.9)) << "a pose that is there needs no neighbour";
   EXPECT_FALSE(pose_at({}, 1.0, 5.0));
 }
