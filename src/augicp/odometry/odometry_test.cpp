@@ -13,6 +13,7 @@
 #include "augicp/geometry/rotation.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/rendering.h"
+#include "augicp/testing/rolling_camera.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
@@ -197,9 +198,8 @@ Scan skewed_frame(int k, double readout_s) {
   DepthImage image{camera.width, camera.height, {}};
   for (int v = 0; v < camera.height; ++v) {
     const double at = 3.0 * (k + ((v + 0.5) / camera.height - 0.5) * readout_s / kFramePeriod_s);
-    const DepthImage seen =
-        testing::render(room, camera, camera.width, camera.height, room.world_from_camera * first_from_camera(at)).depth;
-    for (int u = 0; u < camera.width; ++u) image.depth.push_back(seen.at(u, v));
+    const std::vector<float> row = testing::render_row(room, camera, v, room.world_from_camera * first_from_camera(at));
+    image.depth.insert(image.depth.end(), row.begin(), row.end());
   }
   return prepare_frame(image, {camera, {}}, small_images());
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/testing/rendering.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "augicp/testing/matchers.h"
+#include "augicp/testing/rolling_camera.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp::testing {
@@ -49,6 +52,15 @@ TEST(Rendering, NormalsAgreeWithFiniteDifferencesOfDepth) {
     }
     EXPECT_GT(num_checked, 500);
   }
+}
+
+TEST(Rendering, ARowIsThatOfTheImage) {
+  const Scene scene = box_on_table();
+  const Pinhole camera = kinect_like_camera(80);
+  const DepthImage image = render(scene, camera).depth;
+  for (int v = 0; v < image.height; ++v)
+    EXPECT_THAT(render_row(scene, camera, v, scene.world_from_camera),
+                ::testing::Pointwise(::testing::NanSensitiveFloatEq(), std::span(image.depth).subspan(v * image.width, image.width)));
 }
 
 TEST(Rendering, ClosedRoomLeavesNoPixelEmpty) {

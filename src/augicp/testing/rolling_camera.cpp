@@ -5,6 +5,11 @@
 
 namespace augicp::testing {
 
+std::vector<float> render_row(const Scene& scene, const Pinhole& camera, int v, const Rigid3& world_from_camera) {
+  const Pinhole of_row{camera.fx, camera.fy, camera.cx, camera.cy - v, camera.width, 1};
+  return render(scene, of_row, of_row.width, of_row.height, world_from_camera).depth.depth;
+}
+
 DepthImage render_rolling(const Scene& scene, const Pinhole& camera, const Rigid3& world_from_middle,
                           const Rigid3& first_from_last) {
   DepthImage image{camera.width, camera.height, {}};
@@ -12,9 +17,8 @@ DepthImage render_rolling(const Scene& scene, const Pinhole& camera, const Rigid
     const double share = (v + 0.5) / camera.height - 0.5;
     const Rigid3 middle_from_row{rotation_exp(share * rotation_log(first_from_last.rotation)),
                                  share * first_from_last.translation};
-    const DepthImage row =
-        render(scene, camera, camera.width, camera.height, world_from_middle * middle_from_row).depth;
-    for (int u = 0; u < camera.width; ++u) image.depth.push_back(row.at(u, v));
+    const std::vector<float> row = render_row(scene, camera, v, world_from_middle * middle_from_row);
+    image.depth.insert(image.depth.end(), row.begin(), row.end());
   }
   return image;
 }
