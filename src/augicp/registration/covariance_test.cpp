@@ -17,8 +17,8 @@ const Rigid3 kMotion{rotation_exp({0.03, -0.03, 0.02}), {0.02, 0.03, -0.03}};
 
 AlignResult noisy(const testing::Scene& scene, unsigned seed, bool as_clouds = false) {
   const Rigid3& place = scene.world_from_camera;
-  const Scan source = testing::noisy_view(scene, place * kMotion, 2 * seed + 1, 120);
-  const Scan target = testing::noisy_view(scene, place, 2 * seed + 2, 120);
+  const Scan source = testing::noisy_view(scene, place * kMotion, 2 * seed + 1, 80);
+  const Scan target = testing::noisy_view(scene, place, 2 * seed + 2, 80);
   return as_clouds ? register_scans(scan_of(source.cloud), scan_of(target.cloud)) : register_scans(source, target);
 }
 

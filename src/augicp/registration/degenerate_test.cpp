@@ -116,12 +116,13 @@ TEST(Degenerate, AWholeRoomHoldsAllAndNamesNothing) {
 
 // Two drawings of each shape as bare clouds, exact and with noise: the motions named are free, and all that are.
 TEST(Degenerate, BareCloudsOfTwelveShapesNameWhatIsFree) {
+  constexpr std::size_t kPoints = 4000;
   for (const testing::DegenerateFamily& family : testing::degenerate_families())
     for (const double noise : {0.0, family.noise}) {
       std::mt19937 generator(1);
       const Rigid3 motion = testing::random_motion(generator, 0.03, 0.03);
-      const Cloud target = testing::draw(family, 8000, noise, generator);
-      const Cloud source = transform(testing::draw(family, 8000, noise, generator), inverse(motion));
+      const Cloud target = testing::draw(family, kPoints, noise, generator);
+      const Cloud source = transform(testing::draw(family, kPoints, noise, generator), inverse(motion));
       const AlignResult result = register_scans(scan_of(source), scan_of(target));
       EXPECT_EQ(result.status, AlignStatus::Degenerate) << family.name << " " << noise;
       ASSERT_EQ(result.free_motions.size(), family.free_motions.size()) << family.name << " " << noise;
