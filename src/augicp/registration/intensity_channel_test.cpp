@@ -69,6 +69,20 @@ TEST(IntensityChannel, ATexturedWallIsHeldAndABareOneIsNot) {
   EXPECT_EQ(bare.free_motions.size(), 3u);
 }
 
+// Without a camera gradients come from the points around, in space.
+TEST(IntensityChannel, ATexturedWallOfBareCloudsIsHeldToo) {
+  const testing::Scene wall = testing::single_plane();
+  const Rigid3& place = wall.world_from_camera;
+  const Scan source = scan_of(seen(wall, place * kMotion, blots, {0.0, kGreyNoise, 2}).cloud),
+             target = scan_of(seen(wall, place, blots, {}).cloud);
+  RegistrationOptions options;
+  options.intensity = true;
+  const AlignResult held = register_scans(source, target, {}, options);
+  EXPECT_GT(held.num_intensity_pairs, held.num_pairs / 10);
+  EXPECT_THAT(held.target_from_source, testing::NearPose(kMotion, 0.005, 0.01));
+  EXPECT_EQ(register_scans(source, target).status, AlignStatus::Degenerate);
+}
+
 TEST(IntensityChannel, AnotherExposureDoesNotMoveTheWall) {
   const AlignResult held = aligned(testing::single_plane(), blots, true, 0.15);
   EXPECT_EQ(held.status, AlignStatus::Converged);
