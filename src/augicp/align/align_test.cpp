@@ -335,6 +335,19 @@ TEST(Align, EveryStatusHasItsName) {
   EXPECT_EQ(name_of(AlignStatus::Diverged), "diverged");
 }
 
+// No step comes of sums that overflow: the pose stays what it was.
+TEST(Align, WhatOverflowsDiverges) {
+  const View view = view_of(testing::room());
+  AlignOptions options = near_options();
+  options.kernel_chi2 = kInfinity;
+  options.information = point_information();
+  for (StructureInformation* row : {&options.information.none, &options.information.planar, &options.information.edge})
+    row->position = {1e308, 1e308};
+  const AlignResult result = align(view.cloud(), NearestMatcher(view.cloud()), kSmallMotion, options);
+  EXPECT_EQ(result.status, AlignStatus::Diverged);
+  EXPECT_THAT(result.target_from_source, NearPose(kSmallMotion, 0.0, 0.0));
+}
+
 // Asks for an end from another thread, while it looks for the pairs of its third iteration.
 class StoppingMatcher : public NearestMatcher {
  public:

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "augicp/align/free_motions.h"
+
 namespace augicp {
 namespace {
 
@@ -114,6 +116,17 @@ TEST(Verdict, LimitsAreChecked) {
   limits = {};
   limits.max_conflicting = 0.0;
   EXPECT_THROW(limits.check(), std::invalid_argument);
+}
+
+// As the command's JSON says them.
+TEST(Verdict, DoubtsAndFreeMotionsHaveTheirNames) {
+  EXPECT_EQ(name_of(Doubt::LittleSeen), "little_seen");
+  EXPECT_EQ(name_of(Doubt::Disagreement), "disagreement");
+  EXPECT_EQ(name_of(Doubt::FreeSpace), "free_space");
+  EXPECT_EQ(name_of(Doubt::BarePlanes), "bare_planes");
+  EXPECT_EQ(name_of(FreeMotion::Kind::Translation), "translation");
+  EXPECT_EQ(name_of(FreeMotion::Kind::Rotation), "rotation");
+  EXPECT_EQ(name_of(FreeMotion::Kind::Screw), "screw");
 }
 
 }  // namespace
