@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "augicp/io/atomic_file.h"
 #include "augicp/io/read_cloud.h"
 #include "augicp/testing/decimal_comma.h"
 #include "augicp/testing/matchers.h"
@@ -95,6 +96,17 @@ TEST(WriteCloud, WriteThenReadIsIdentity) {
         }
 }
 
+TEST(WriteCloud, MoreThanABufferHoldsSurvives) {
+  const testing::TemporaryFolder folder;
+  Cloud cloud = random_cloud(Vec3d::Zero(), false);
+  const std::vector<Vec3f> few = cloud.points;
+  while (cloud.size() < 200000) cloud.points.insert(cloud.points.end(), few.begin(), few.end());
+  for (const FileEncoding encoding : kEncodings) {
+    write(folder / "cloud.ply", cloud, encoding);
+    EXPECT_EQ(read_cloud(folder / "cloud.ply").cloud.points, cloud.points);
+  }
+}
+
 // robustness 6
 TEST(WriteCloud, TheLocaleDoesNotMatter) {
   if (!testing::DecimalComma::exists()) GTEST_SKIP() << "no locale de_DE.UTF-8, and the build could make none";
@@ -134,6 +146,9 @@ TEST(WriteCloud, ArgumentsAreChecked) {
   EXPECT_THROW(write_cloud(folder / "c.ply", Cloud{}), std::invalid_argument);
   EXPECT_THROW(write_ply(folder / "c.ply", cloud, std::vector<Colour>(3)), std::invalid_argument);
   EXPECT_THROW(write_cloud(folder / "c.xyz", cloud), IoError);
+  Cloud without_structures = random_cloud(Vec3d::Zero(), true);
+  without_structures.structures.clear();
+  EXPECT_THROW(write_cloud(folder / "c.ply", without_structures), std::invalid_argument);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
@@ -145,6 +160,18 @@ TEST(WriteCloud, AFullDiskIsAnErrorAndLeavesNothing) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   EXPECT_THROW(write_ply("/dev/full", cloud), IoError);
   EXPECT_THROW(write_pcd("/dev/full", cloud), IoError);
+}
+
+TEST(ReadCloud, AnUnknownExtensionIsRefusedWithTheKnownOnes) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "cloud.stl", "solid\n");
+  try {
+    read_cloud(folder / "cloud.stl");
+    FAIL() << "no error";
+  } catch (const IoError& error) {
+    for (const char* part : {"cloud.stl", ".ply .pcd .xyz .txt .csv .pts .bin .npy", "found '.stl'"})
+      EXPECT_THAT(error.what(), ::testing::HasSubstr(part));
+  }
 }
 
 }  // namespace
