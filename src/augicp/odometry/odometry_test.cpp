@@ -264,5 +264,15 @@ TEST(OdometryInterrupted, IsAsItWasBefore) {
   }
 }
 
+// As the lists of frames say them.
+TEST(FrameStatus, EveryOneHasItsName) {
+  const std::pair<FrameStatus, const char*> names[] = {
+      {FrameStatus::Started, "started"},       {FrameStatus::Tracked, "tracked"},
+      {FrameStatus::Degenerate, "degenerate"}, {FrameStatus::Doubtful, "doubtful"},
+      {FrameStatus::Lost, "lost"},             {FrameStatus::NoReadings, "no_readings"},
+      {FrameStatus::OutOfOrder, "out_of_order"}, {FrameStatus::Unreadable, "unreadable"}};
+  for (const auto& [status, name] : names) EXPECT_EQ(name_of(status), name);
+}
+
 }  // namespace
 }  // namespace augicp

@@ -140,5 +140,13 @@ TEST(Page, RunsOneScriptOnly) {
   EXPECT_THAT(live, HasSubstr("<script>run()</script>"));
 }
 
+TEST(Chart, ALegendNamesEveryCurveAndEscapesIt) {
+  const std::string html = legend_html({"point", "a<b>"});
+  EXPECT_LT(html.find("s0"), html.find("point"));
+  EXPECT_LT(html.find("point"), html.find("s1"));
+  EXPECT_THAT(html, HasSubstr("a&lt;b&gt;"));
+  EXPECT_THAT(html, Not(HasSubstr("a<b>")));
+}
+
 }  // namespace
 }  // namespace augicp
