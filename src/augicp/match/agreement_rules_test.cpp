@@ -149,7 +149,26 @@ TEST(AgreementRules, APixelReachesHalfWayToItsNeighbours) {
     }
 }
 
-TEST(AgreementRules, TolerancesAndGatesOutOfTheirRangeAreRefused) {
+// It begins half a pixel before the centres of its first pixels and ends half a pixel behind the last: told exactly,
+// for every number here is a sum of powers of two.
+TEST(AgreementRules, AnImageBeginsAndEndsHalfAPixelAroundItsCentres) {
+  constexpr Pinhole kExact{64.0, 64.0, 31.5, 23.5, 64, 48};
+  const OrganizedCloud target = unproject({64, 48, std::vector<float>(64 * 48, kDepth)}, kExact);
+  const ProjectiveMatcher matcher(target.cloud, target.index, kExact);
+  const float left = -0.5f, right = 0.5f, top = -0.375f, bottom = 0.375f, inward = 1.0f / 1024.0f;
+  const auto is_seen = [&](float x, float y) {
+    Cloud point;
+    point.points = {Vec3f(x * kDepth, y * kDepth, kDepth)};
+    return matcher.agreement(point, {}, {.distance = kTolerance}, 1).unseen == 0;
+  };
+  EXPECT_TRUE(is_seen(left, 0.0f));
+  EXPECT_TRUE(is_seen(0.0f, top));
+  EXPECT_TRUE(is_seen(right - inward, bottom - inward));
+  for (const auto& [x, y] : {std::pair{right, 0.0f}, {0.0f, bottom}, {left - inward, 0.0f}, {0.0f, top - inward}})
+    EXPECT_FALSE(is_seen(x, y)) << x << " " << y;
+}
+
+TEST(AgreementRules, TolerancesOutOfTheirRangeAreRefused) {
   for (const AgreementTolerance& bad :
        {AgreementTolerance{.distance = 0.1, .min_cosine = 1.5}, AgreementTolerance{.distance = 0.1, .min_cosine = -1.5},
         AgreementTolerance{.distance = 0.1, .per_depth = -0.1}})
