@@ -211,6 +211,17 @@ TEST(Intensity, PairsWithSomethingUnknownDoNotCount) {
   EXPECT_TRUE(linearize(two, Rigid3{}, {1.0}).H.allFinite());
 }
 
+// Clouds that have brightness and gradients, of which no pair can be compared: nothing is held, and nothing is divided by nothing.
+TEST(Intensity, WhereNoPairIsKnownNothingIsHeld) {
+  TwoClouds two = random_pairs(50, 12);
+  for (Vec3f& gradient : two.target.intensity_gradients) gradient.setZero();
+  const NormalEquations equations = linearize(two, {}, {200.0, 30.0});
+  EXPECT_EQ(equations.H, Mat6d(Mat6d::Zero()));
+  EXPECT_EQ(equations.b, Vec6d(Vec6d::Zero()));
+  EXPECT_EQ(equations.num_intensity_pairs, 0);
+  EXPECT_EQ(shared_intensity_information(two.source, two.target, two.pairs, {}, {200.0, 30.0}, 1), Mat6d(Mat6d::Zero()));
+}
+
 TEST(Intensity, WithoutItOnEitherSideThereIsNone) {
   const TwoClouds two = random_pairs(20, 9);
   for (int without = 0; without < 3; ++without) {
