@@ -21,7 +21,7 @@ BasinOptions small_options() {
 }
 
 Scan box_scan() {
-  const testing::Rendering seen = testing::render(testing::box_on_table(), testing::kinect_like_camera(160));
+  const testing::Rendering seen = testing::render(testing::box_on_table(), testing::kinect_like_camera(100));
   return scan_of(seen.depth, seen.camera);
 }
 

@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-constexpr int kWidth = 320;
+constexpr int kWidth = 200;
 constexpr double kGreyNoise = 0.01;
 
 using Brightness = double (*)(const Vec3d& point_in_world);

@@ -81,10 +81,8 @@ TEST(Search, ThreadsFindTheSameBits) {
   RegistrationOptions options;
   options.num_threads = 1;
   const Rigid3 expected = register_scans(pair.source, pair.target, {}, options).target_from_source;
-  for (const int num_threads : {2, 5}) {
-    options.num_threads = num_threads;
-    EXPECT_EQ(register_scans(pair.source, pair.target, {}, options).target_from_source.matrix(), expected.matrix());
-  }
+  options.num_threads = 5;
+  EXPECT_EQ(register_scans(pair.source, pair.target, {}, options).target_from_source.matrix(), expected.matrix());
 }
 
 TEST(Search, ThePaperDoesNotSearch) {
