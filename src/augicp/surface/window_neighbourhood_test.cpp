@@ -132,7 +132,7 @@ TEST(WindowNeighbourhood, RefusesBadOptions) {
   const OrganizedCloud pixel = unproject({1, 1, {2.0f}}, {500.0, 500.0, 0.0, 0.0, 1, 1});
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const WindowOptions& options :
-       {WindowOptions{0.0, 0.0, 0.02}, WindowOptions{-1.0, 0.0, 0.02}, WindowOptions{nan, 0.0, 0.02},
+       {WindowOptions{}, WindowOptions{0.0, 0.0, 0.02}, WindowOptions{-1.0, 0.0, 0.02}, WindowOptions{nan, 0.0, 0.02},
         WindowOptions{0.1, -1.0, 0.02}, WindowOptions{0.1, nan, 0.02}, WindowOptions{0.1, 0.0, 0.0}}) {
     EXPECT_THROW(WindowNeighbourhood(pixel.cloud, pixel.index, options, 0), std::invalid_argument);
     EXPECT_THROW(ExactWindowNeighbourhood(pixel.cloud, pixel.index, options, 0), std::invalid_argument);
