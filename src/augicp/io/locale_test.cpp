@@ -3,6 +3,9 @@
 // own.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <sstream>
+
 #include "augicp/io/camera_file.h"
 #include "augicp/io/file_bytes.h"
 #include "augicp/io/trajectory_file.h"
@@ -20,6 +23,16 @@ class Locale : public ::testing::Test {
     if (!testing::DecimalComma::exists()) GTEST_SKIP() << "no locale de_DE.UTF-8, and the build could make none";
   }
 };
+
+TEST_F(Locale, HasACommaForPrintfAndStreams) {
+  const testing::DecimalComma comma;
+  char text[8];
+  std::snprintf(text, sizeof(text), "%.1f", 1.5);
+  EXPECT_STREQ(text, "1,5");
+  std::ostringstream stream;
+  stream << 1.5;
+  EXPECT_EQ(stream.str(), "1,5");
+}
 
 // Every pose as a transform and as a line of a trajectory, and all of it as it stands in the files.
 std::string written(const std::filesystem::path& folder) {

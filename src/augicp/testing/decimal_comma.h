@@ -2,15 +2,16 @@
 #pragma once
 
 #include <locale>
+#include <string>
 
 namespace augicp::testing {
 
 // While it lives the process has a locale that writes 1,5 for 1.5, for C's functions and for streams made meanwhile.
-// Throws std::runtime_error where there is no such locale; ctest names the folder of one that the build made.
+// Throws std::runtime_error where C has no such locale; ctest names the folder of one that the build made.
 class DecimalComma {
  public:
-  DecimalComma() : before_(std::locale::global(std::locale("de_DE.UTF-8"))) {}
-  ~DecimalComma() { std::locale::global(before_); }
+  DecimalComma();
+  ~DecimalComma();
   DecimalComma(const DecimalComma&) = delete;
   DecimalComma& operator=(const DecimalComma&) = delete;
 
@@ -18,6 +19,7 @@ class DecimalComma {
   static bool exists();
 
  private:
+  std::string c_before_;
   std::locale before_;
 };
 
