@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -148,6 +149,18 @@ TEST(WindowNeighbourhood, ThreadsDoNotChangeTheBits) {
     EXPECT_TRUE((WindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), n).sum(values, n) == fast).all());
     EXPECT_TRUE(
         (ExactWindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), n).sum(values, n) == exact).all());
+  }
+}
+
+// On a wall nothing is cut off: the neighbours are all points of the ball, and no others.
+TEST(WindowNeighbourhood, TheExactOneIsTheBallWhereNothingIsCutOff) {
+  const OrganizedCloud wall = unproject({40, 30, std::vector<float>(40 * 30, 2.0f)}, {36.0, 36.0, 19.5, 14.5, 40, 30});
+  const double radius = 0.3;
+  const auto size = static_cast<Eigen::Index>(wall.cloud.size());
+  const Channels found = ExactWindowNeighbourhood(wall.cloud, wall.index, options_with(radius), 1).sum(Channels::Ones(1, size), 1);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto is_near = [&](const Vec3f& point) { return static_cast<double>((point - wall.cloud.points[i]).norm()) <= radius; };
+    EXPECT_EQ(found(0, i), static_cast<double>(std::count_if(wall.cloud.points.begin(), wall.cloud.points.end(), is_near))) << i;
   }
 }
 
