@@ -29,7 +29,7 @@ search          other guesses are tried where the given one leads nowhere convin
 coarse_to_fine, rolling_shutter    see docs/convergence.md
 max_iterations, min_step           the loop's end: a count; a part of the extent, and radians
 intensity       where both clouds have intensities, brightness is compared too
-covariance      Result.covariance is asked for; without it a large image takes a tenth less time
+covariance      Result.covariance is asked for; without it a small image takes a fifth less time
 classifier ("normals", "eigenvalues"), kernel_chi2, lever, damping    instead of the preset's
 
 Returns a Result; bool(result) is True only where both clouds speak for the pose. What the data are like is never an

@@ -54,8 +54,8 @@ struct RegistrationOptions {
   // only, so that the search and the coarse alignments are as without it.
   bool intensity = false;
 
-  // How sure the pose is, AlignResult::covariance. Not asked for, it saves a tenth of the time of large images and a quarter of
-  // that of small ones.
+  // How sure the pose is, AlignResult::covariance. Not asked for, it saves a twentieth of the time of large images and a
+  // fifth of that of small ones.
   bool covariance = true;
 
   int max_iterations = 50;  // at full resolution
