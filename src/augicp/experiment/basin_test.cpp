@@ -37,6 +37,9 @@ TEST(Basin, NearStartsComeHomeAndHalfTurnsDoNot) {
 TEST(Basin, SameBitsForAnyNumberOfThreads) {
   const Scan scan = box_scan();
   BasinOptions options = small_options();
+  options.angles_rad = {0.05, std::numbers::pi};
+  options.distances = {0.02};
+  options.registration.num_threads = 1;
   const auto cells = run_basin(scan, scan, {}, options, [] {});
   options.registration.num_threads = 3;
   const auto again = run_basin(scan, scan, {}, options, [] {});
