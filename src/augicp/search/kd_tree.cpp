@@ -66,16 +66,14 @@ constexpr std::size_t kMaxOpen = 64;
 // Adds the children that may hold a point below the limit, the nearest of them last. Returns the end of the open ones.
 Visit* open_children(const Query& query, const KdNode& node, Rank limit, Visit* open) {
   const FourFloats distance_sq = distances_sq(query, node);
-  Visit* nearest = open;
-  Rank least = kMissing;
+  Visit* const first = open;
   for (std::size_t k = 0; k < KdNode::kChildren; ++k) {
     const Rank rank = rank_of(distance_sq[k], node.least_index[k]);
-    *open = {rank, node.child[k]};
-    nearest = rank < least ? open : nearest;
-    least = std::min(least, rank);
-    open += rank < limit ? 1 : 0;
+    if (rank >= limit) continue;
+    Visit* place = open++;
+    for (; place != first && place[-1].least < rank; --place) *place = place[-1];
+    *place = {rank, node.child[k]};
   }
-  if (least < limit) std::swap(*nearest, open[-1]);
   return open;
 }
 
