@@ -2,6 +2,7 @@
 #include "augicp/cloud/voxel_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -38,22 +39,41 @@ struct Keyed {
   std::uint32_t index;
 };
 
-std::vector<Keyed> sorted_keys(const Cloud& cloud, double cell) {
-  const Vec3f min = bounds(cloud).min;
+// Sorted by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing them does. Bits above
+// the highest key's, half of them in most clouds, are left out.
+void sort_by_key(std::vector<Keyed>& keyed) {
+  constexpr int kBits = 11, kKeyBits = 63;
+  std::uint64_t all = 0;
+  for (const Keyed& k : keyed) all |= k.key;
+  std::vector<Keyed> sorted(keyed.size());
+  for (int shift = 0; shift < kKeyBits && all >> shift != 0; shift += kBits) {
+    const auto digit = [=](const Keyed& k) { return k.key >> shift & ((1 << kBits) - 1); };
+    std::array<std::uint32_t, 1 << kBits> place{};
+    for (const Keyed& k : keyed) ++place[digit(k)];
+    std::exclusive_scan(place.begin(), place.end(), place.begin(), std::uint32_t{0});
+    for (const Keyed& k : keyed) sorted[place[digit(k)]++] = k;
+    keyed.swap(sorted);
+  }
+}
+
+// By their keys, and where these are equal by their coordinates.
+std::vector<Keyed> sorted_keys(const Cloud& cloud, const Vec3f& min, double cell) {
   std::vector<Keyed> keyed(cloud.size());
   for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = {morton_key(cloud.points[i], min, cell), i};
-  std::sort(keyed.begin(), keyed.end(), [&](const Keyed& a, const Keyed& b) {
-    if (a.key != b.key) return a.key < b.key;
+  sort_by_key(keyed);
+  const auto is_before = [&](const Keyed& a, const Keyed& b) {
     const Vec3f &p = cloud.points[a.index], &q = cloud.points[b.index];
-    return std::tie(p.x(), p.y(), p.z(), a.index) < std::tie(q.x(), q.y(), q.z(), b.index);
-  });
+    if (p.x() != q.x()) return p.x() < q.x();  // nearly always
+    return std::tie(p.y(), p.z(), a.index) < std::tie(q.y(), q.z(), b.index);
+  };
+  for (auto begin = keyed.begin(), end = begin; begin != keyed.end(); begin = end) {
+    end = std::find_if(begin, keyed.end(), [&](const Keyed& k) { return k.key != begin->key; });
+    std::sort(begin, end, is_before);
+  }
   return keyed;
 }
 
-double largest_span(const Cloud& cloud) {
-  const Bounds box = bounds(cloud);
-  return (box.max.cast<double>() - box.min.cast<double>()).maxCoeff();
-}
+double longest_side(const Bounds& box) { return (box.max.cast<double>() - box.min.cast<double>()).maxCoeff(); }
 
 template <typename T>
 std::vector<T> at(const std::vector<T>& values, const std::vector<std::uint32_t>& indices) {
@@ -80,8 +100,9 @@ float mean_intensity(const Cloud& cloud, std::span<const Keyed> voxel) {
 
 std::vector<std::uint32_t> spatial_order(const Cloud& cloud) {
   if (cloud.empty()) return {};
-  const double cell = std::max(largest_span(cloud) / (kMaxCells - 1.0), 1e-30);
-  const std::vector<Keyed> keyed = sorted_keys(cloud, cell);
+  const Bounds box = bounds(cloud);
+  const double cell = std::max(longest_side(box) / (kMaxCells - 1.0), 1e-30);
+  const std::vector<Keyed> keyed = sorted_keys(cloud, box.min, cell);
   std::vector<std::uint32_t> order(keyed.size());
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& k) { return k.index; });
   return order;
@@ -112,9 +133,10 @@ Cloud evenly_chosen(const Cloud& cloud, std::size_t max_count) {
 Cloud downsample(const Cloud& cloud, double voxel_size) {
   require_positive("voxel_size", voxel_size);
   if (cloud.empty()) return cloud;
-  require(largest_span(cloud) / voxel_size < kMaxCells, "voxel_size", voxel_size,
+  const Bounds box = bounds(cloud);
+  require(longest_side(box) / voxel_size < kMaxCells, "voxel_size", voxel_size,
           "too small, the cloud spans more than 2^21 voxels");
-  const std::vector<Keyed> keyed = sorted_keys(cloud, voxel_size);
+  const std::vector<Keyed> keyed = sorted_keys(cloud, box.min, voxel_size);
   std::vector<std::uint32_t> nearest_to_mean;
   std::vector<Vec3f> means;
   std::vector<float> intensities;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -74,6 +75,30 @@ TEST(VoxelGrid, OrderOfThePointsDoesNotMatter) {
   EXPECT_EQ(downsample(cloud, 0.2).points, downsample(shuffled(cloud), 0.2).points);
   const Cloud other = shuffled(cloud);
   EXPECT_EQ(select(cloud, spatial_order(cloud)).points, select(other, spatial_order(other)).points);
+}
+
+// The Morton curve by its definition: of two cells that axis decides in which they differ by the highest bit, z before y before x.
+bool is_before_on_curve(const Vec3f& p, const Vec3f& q) {
+  const auto bits = [&](int axis) {
+    return std::bit_width(static_cast<std::uint32_t>(p[axis]) ^ static_cast<std::uint32_t>(q[axis]));
+  };
+  int first = 2;
+  for (int axis : {1, 0})
+    if (bits(axis) > bits(first)) first = axis;
+  return p[first] < q[first];
+}
+
+// Cells with few bits and with all 21 an axis.
+TEST(VoxelGrid, VoxelsFollowTheCurve) {
+  for (double size : {3.0, 40.0, 2000.0, 1e6}) {
+    Cloud cloud = random_cloud(3000, size);
+    for (Vec3f& point : cloud.points)
+      for (float& coordinate : point) coordinate = std::floor(coordinate + static_cast<float>(size)) + 0.5f;
+    cloud.points.push_back(Vec3f::Constant(0.5f));  // the grid's corner
+    const Cloud sampled = downsample(cloud, 1.0);
+    for (std::size_t i = 1; i < sampled.size(); ++i)
+      ASSERT_TRUE(is_before_on_curve(sampled.points[i - 1], sampled.points[i])) << size << ", " << i;
+  }
 }
 
 TEST(VoxelGrid, SpatialOrderIsAPermutationWithShorterSteps) {

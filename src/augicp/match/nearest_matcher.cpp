@@ -14,9 +14,11 @@ std::vector<Correspondence> NearestMatcher::match(const Cloud& source, const Rig
   const PairFilter filter(source, target_, target_from_source, gates);
   std::vector<std::vector<Correspondence>> of_block((source.size() + kBlockSize - 1) / kBlockSize);
   for_each_block(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t likely = 0;  // what the point before found: neighbours in memory mostly are neighbours in space
     for (auto j = static_cast<std::uint32_t>(begin); j < end; ++j) {
       const Vec3f moved = filter.moved(j);
-      const auto found = tree_.nearest(moved, filter.max_distance_sq());
+      const auto found = tree_.nearest(moved, filter.max_distance_sq(), likely);
+      if (found) likely = found->index;
       if (found && filter.passes(j, moved, found->index)) of_block[begin / kBlockSize].push_back({j, found->index});
     }
   });
@@ -31,9 +33,11 @@ Agreement NearestMatcher::agreement(const Cloud& source, const Rigid3& target_fr
   const float reach = kNearPerTolerance * limit;
   return blocked_sum<Agreement>(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
     Agreement count;
+    std::uint32_t likely = 0;
     for (std::size_t j = begin; j < end; ++j) {
       const Vec3f moved = on_surface.moved(j);
-      const auto found = tree_.nearest(moved, reach * reach);
+      const auto found = tree_.nearest(moved, reach * reach, likely);
+      if (found) likely = found->index;
       ++(!found ? count.unseen : on_surface.agrees(j, moved, found->index, limit) ? count.agree : count.differ);
     }
     return count;

@@ -2,7 +2,10 @@
 #include "augicp/registration/lengths.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace augicp {
@@ -12,15 +15,40 @@ constexpr double kExtentQuantile = 0.8;
 constexpr double kViewWidth = 1.2;
 
 // Views of a desk from 1.2 m so get balls of 5 cm, which experiments on fr1/desk favour, and a gate of 0.36 m; other
-// scenes follow by scale. A ball of four voxels holds some 50 points of a plane; three cost the car scans a third of their accuracy.
+// scenes follow by scale. A ball of four voxels holds some 50 points of a plane; three cost the car scans a third of
+// their accuracy.
 constexpr double kRadiusPerExtent = 1.0 / 30.0;
 constexpr double kVoxelPerRadius = 1.0 / 4.0;
 constexpr double kGatePerExtent = 1.0 / 4.0;
 
-float quantile(std::vector<float> values, double share) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+// What the upper bits of a float say of its place among others: never more for a lower one.
+constexpr int kBinBits = 12;
+std::size_t bin_of(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const std::uint32_t ordered = bits >> 31 ? ~bits : bits | 0x80000000;
+  return ordered >> (32 - kBinBits);
+}
+
+// The values of the bin in which the place-th in ascending order is; makes it its place there.
+std::vector<float> bin_around(const std::vector<float>& values, std::size_t& place) {
+  std::vector<std::uint32_t> count(1 << kBinBits);
+  for (float value : values) ++count[bin_of(value)];
+  std::size_t bin = 0;
+  for (; place >= count[bin]; ++bin) place -= count[bin];
+  std::vector<float> within;
+  within.reserve(count[bin]);
+  std::copy_if(values.begin(), values.end(), std::back_inserter(within),
+               [=](float value) { return bin_of(value) == bin; });
+  return within;
+}
+
+// Values must not be NaN. Selecting among those of one bin takes a fraction of the time that it takes among all.
+float quantile(const std::vector<float>& values, double share) {
+  auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+  std::vector<float> within = bin_around(values, place);
+  const auto at = within.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(within.begin(), at, within.end());
+  return *at;
 }
 
 std::vector<float> distances_from(const Vec3f& centre, const Cloud& cloud) {

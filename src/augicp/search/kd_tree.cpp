@@ -1,82 +1,139 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/search/kd_tree.h"
 
-#include <limits>
-#include <nanoflann.hpp>
+#include <algorithm>
+#include <cstring>
+
+#include "augicp/search/first_few.h"
+#include "augicp/search/kd_nodes.h"
 
 namespace augicp {
 namespace {
 
-constexpr std::size_t kLeafSize = 16;
-
-// What nanoflann asks of a data set.
-struct PointAdaptor {
-  const std::vector<Vec3f>& points;
-
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  float kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][static_cast<Eigen::Index>(axis)]; }
-  template <typename Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
+// A point, four times each of its coordinates.
+struct Query {
+  explicit Query(const Vec3f& point)
+      : x(FourFloats{} + point.x()), y(FourFloats{} + point.y()), z(FourFloats{} + point.z()) {}
+  FourFloats x, y, z;
 };
 
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PointAdaptor>, PointAdaptor, 3, std::uint32_t>;
+// How far a number is outside of an interval.
+FourFloats outside(const FourFloats& min, const FourFloats& number, const FourFloats& max) {
+  const FourFloats below = min - number, above = number - max, farther = below < above ? above : below;
+  return farther > 0.0f ? farther : FourFloats{};
+}
 
-// The first of the nearest. nanoflann enters every branch that may hold a point as near as the worst one kept, so that among
-// many equal points each query would look at all of them: from here on a branch has to promise more than rounding can hide.
-struct NearestResultSet {
-  using DistanceType = float;
-  using IndexType = std::uint32_t;
-  static constexpr float kRounding = 1e-6f;
-  Neighbour best;  // with the gate's distance until there is one
-  bool is_found = false;
+// To the children's boxes. Rounded in the same way as distances to the points inside, so that none of these is less.
+FourFloats distances_sq(const Query& query, const KdNode& node) {
+  const FourFloats dx = outside(node.min_x, query.x, node.max_x), dy = outside(node.min_y, query.y, node.max_y),
+                   dz = outside(node.min_z, query.z, node.max_z);
+  return dx * dx + dy * dy + dz * dz;
+}
 
-  std::size_t size() const { return is_found ? 1 : 0; }
-  bool full() const { return true; }
-  bool addPoint(float distance_sq, std::uint32_t index) {
-    if (distance_sq < best.distance_sq) best = {index, distance_sq}, is_found = true;
-    return true;
+std::array<float, KdLeaf::kPoints> distances_sq(const Query& query, const KdLeaf& leaf) {
+  std::array<float, KdLeaf::kPoints> all;
+  for (std::size_t four = 0; four < leaf.x.size(); ++four) {
+    const FourFloats dx = leaf.x[four] - query.x, dy = leaf.y[four] - query.y, dz = leaf.z[four] - query.z;
+    const FourFloats sum = dx * dx + dy * dy + dz * dz;
+    std::memcpy(all.data() + 4 * four, &sum, sizeof sum);
   }
-  // Below zero once a point is found at distance zero: nothing is nearer.
-  float worstDist() const {
-    return is_found ? (1.0f - kRounding) * best.distance_sq - std::numeric_limits<float>::denorm_min() : best.distance_sq;
+  return all;
+}
+
+// As FirstFew, of one.
+class First {
+ public:
+  explicit First(Rank limit) : limit_(limit) {}
+  Rank limit() const { return limit_; }
+  void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq) {
+    for (std::size_t k = 0; k < KdLeaf::kPoints; ++k)
+      limit_ = std::min(limit_, rank_of(distances_sq[k], leaf.index[k]));
   }
+
+ private:
+  Rank limit_;
 };
+
+// What is still to be looked at: a node or a leaf, see KdNode. No point in it has a lower rank.
+struct Visit {
+  Rank least;
+  std::uint32_t child;
+};
+
+// Three stay open on a level, and of 2^32 points there are 15: each level has a fourth of the leaves of the one above.
+constexpr std::size_t kMaxOpen = 64;
+
+// Adds the children that may hold a point below the limit, the nearest of them last. Returns the end of the open ones.
+Visit* open_children(const Query& query, const KdNode& node, Rank limit, Visit* open) {
+  const FourFloats distance_sq = distances_sq(query, node);
+  Visit* const first = open;
+  for (std::size_t k = 0; k < KdNode::kChildren; ++k) {
+    const Rank rank = rank_of(distance_sq[k], node.least_index[k]);
+    if (rank >= limit) continue;
+    Visit* place = open++;
+    for (; place != first && place[-1].least < rank; --place) *place = place[-1];
+    *place = {rank, node.child[k]};
+  }
+  return open;
+}
+
+template <typename Kept>
+void visit(const KdNodes& tree, const Vec3f& point, Kept& kept) {
+  if (tree.nodes.empty()) return;
+  const Query query(point);
+  std::array<Visit, kMaxOpen> open;
+  Visit* end = open_children(query, tree.nodes.front(), kept.limit(), open.data());
+  while (end != open.data()) {
+    const Visit next = *--end;
+    if (next.least >= kept.limit()) continue;
+    if (next.child & KdNode::kIsLeaf) {
+      const KdLeaf& leaf = tree.leaves[next.child & ~KdNode::kIsLeaf];
+      kept.add(leaf, distances_sq(query, leaf));
+    } else {
+      end = open_children(query, tree.nodes[next.child], kept.limit(), end);
+    }
+  }
+}
 
 }  // namespace
 
 struct KdTree::Index {
-  explicit Index(const Cloud& cloud)
-      : adaptor{cloud.points}, tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize)) {
-    if (!cloud.empty()) tree.buildIndex();
-  }
-  PointAdaptor adaptor;
-  Tree tree;
+  const std::vector<Vec3f>& points;
+  KdNodes nodes;
 };
 
-KdTree::KdTree(const Cloud& cloud) : index_(std::make_unique<Index>(cloud)) {}
+KdTree::KdTree(const Cloud& cloud) : index_(new Index{cloud.points, build_kd_nodes(cloud)}) {}
 KdTree::~KdTree() = default;
 KdTree::KdTree(KdTree&&) noexcept = default;
 KdTree& KdTree::operator=(KdTree&&) noexcept = default;
 
 std::optional<Neighbour> KdTree::nearest(const Vec3f& query, float max_distance_sq) const {
-  if (index_->adaptor.points.empty()) return std::nullopt;
-  // The result set prunes by its worst distance: starting it at the gate skips all that lies beyond.
-  NearestResultSet result{{0, max_distance_sq}};
-  index_->tree.findNeighbors(result, query.data(), nanoflann::SearchParams());
-  if (!result.is_found) return std::nullopt;
-  return result.best;
+  return nearest(query, max_distance_sq, std::numeric_limits<std::uint32_t>::max());
+}
+
+std::optional<Neighbour> KdTree::nearest(const Vec3f& query, float max_distance_sq, std::uint32_t likely) const {
+  if (!query.allFinite() || !(max_distance_sq > 0.0f)) return std::nullopt;
+  const Rank gate = rank_of(max_distance_sq, 0);
+  Rank limit = gate;
+  if (likely < index_->points.size()) {
+    const Vec3f apart = index_->points[likely] - query;  // rounded as in leaves
+    const float distance_sq = apart.x() * apart.x() + apart.y() * apart.y() + apart.z() * apart.z();
+    limit = std::min(gate, rank_of(distance_sq, likely));
+  }
+  First first(limit);
+  visit(index_->nodes, query, first);
+  if (first.limit() == gate) return std::nullopt;
+  return Neighbour{index_of(first.limit()), distance_sq_of(first.limit())};
 }
 
 std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count) const {
-  if (index_->adaptor.points.empty() || count == 0) return {};
-  std::vector<std::uint32_t> indices(count);
-  std::vector<float> distances_sq(count);
-  const std::size_t num_found = index_->tree.knnSearch(query.data(), count, indices.data(), distances_sq.data());
-  std::vector<Neighbour> found(num_found);
-  for (std::size_t k = 0; k < num_found; ++k) found[k] = {indices[k], distances_sq[k]};
+  count = std::min(count, index_->points.size());
+  if (count == 0 || !query.allFinite()) return {};
+  FirstFew first(count);
+  visit(index_->nodes, query, first);
+  std::vector<Neighbour> found;
+  found.reserve(count);
+  for (const Rank rank : first.sorted()) found.push_back({index_of(rank), distance_sq_of(rank)});
   return found;
 }
 

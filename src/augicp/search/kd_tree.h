@@ -15,9 +15,9 @@ struct Neighbour {
   float distance_sq = 0.0f;
 };
 
-// Nearest neighbours among the points of a cloud, which must outlive the tree and stay as it is. Queries are relative to
-// the cloud's origin, as its points are, and may run concurrently. Coordinates must be below 1e18, as those of files are:
-// then the tree's depth is bounded, however the points crowd together.
+// Nearest neighbours among the points of a cloud, which must outlive the tree and stay as it is. Queries are relative
+// to the cloud's origin, as its points are, and may run concurrently; one that is not finite finds nothing. Of points
+// at the same squared distance, rounded to float, the one with the lower index is nearer. Of 2^32 - 1 points at most.
 class KdTree {
  public:
   explicit KdTree(const Cloud& cloud);
@@ -25,9 +25,11 @@ class KdTree {
   KdTree(KdTree&&) noexcept;
   KdTree& operator=(KdTree&&) noexcept;
 
-  // The nearest point at a distance below the square root of max_distance_sq, if there is one. Squared distances that
-  // differ by less than a millionth are equal.
+  // The nearest point at a distance below the square root of max_distance_sq, if there is one.
   std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq) const;
+
+  // The same, and sooner where `likely`, the index of a point, is not far.
+  std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq, std::uint32_t likely) const;
 
   // The count nearest points, nearest first; fewer where the cloud has fewer.
   std::vector<Neighbour> nearest_k(const Vec3f& query, std::size_t count) const;

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/search/kd_nodes.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <span>
+
+namespace augicp {
+namespace {
+
+// A point, and the bits of its index behind it: moved as one vector.
+using Item = FourFloats;
+using Items = std::span<Item>;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
+
+std::uint32_t index_of(const Item& item) { return std::bit_cast<std::uint32_t>(item[3]); }
+
+// Around some items; what is in the fourth place means nothing.
+struct Box {
+  FourFloats min = FourFloats{} + kInfinity, max = FourFloats{} - kInfinity;
+
+  void add(const FourFloats& item) {
+    min = item < min ? item : min;
+    max = max < item ? item : max;
+  }
+  int longest_axis() const {
+    const FourFloats side = max - min;
+    return side[0] >= side[1] && side[0] >= side[2] ? 0 : side[1] >= side[2] ? 1 : 2;
+  }
+};
+
+Box joined(const Box& a, const Box& b) { return {a.min < b.min ? a.min : b.min, a.max < b.max ? b.max : a.max}; }
+
+// Every other one into a box of its own, for each comparison waits for the one before.
+Box box_of(Items items) {
+  Box even, odd;
+  std::size_t k = 0;
+  for (; k + 1 < items.size(); k += 2) even.add(items[k]), odd.add(items[k + 1]);
+  if (k < items.size()) even.add(items[k]);
+  return joined(even, odd);
+}
+
+// Items for which is_low holds come first; says how many they are. Without a branch, which would be guessed wrong half
+// of the time.
+template <typename IsLow>
+std::size_t part(Items items, const IsLow& is_low) {
+  std::size_t num_low = 0;
+  for (Item& item : items) {
+    const bool is_here = is_low(item);
+    std::swap(item, items[num_low]);
+    num_low += is_here ? 1 : 0;
+  }
+  return num_low;
+}
+
+// About what stands at the place-th of the items along an axis when they are sorted: seen on some of them.
+float likely_at(Items items, std::size_t place, int axis) {
+  std::array<float, 64> sample;
+  const std::size_t count = std::clamp<std::size_t>(items.size() / 16, 1, sample.size());
+  for (std::size_t k = 0; k < count; ++k) sample[k] = items[k * items.size() / count][axis];
+  const auto at = sample.begin() + static_cast<std::ptrdiff_t>(place * count / items.size());
+  std::nth_element(sample.begin(), at, sample.begin() + static_cast<std::ptrdiff_t>(count));
+  return *at;
+}
+
+// Puts the items before `middle` that are not above the others along an axis. std::nth_element() does the same in three
+// times the time; it does what is left, where items are few, or where so many were unlucky guesses that they will not
+// end.
+void halve(Items items, std::size_t middle, int axis) {
+  constexpr std::size_t kFew = 48;
+  constexpr int kMaxRounds = 12;
+  for (int round = 0; round < kMaxRounds && items.size() > kFew; ++round) {
+    const float pivot = likely_at(items, middle, axis);
+    std::size_t low = part(items, [=](const Item& item) { return item[axis] < pivot; });
+    if (low == 0) {  // nothing is below the pivot: what equals it goes first
+      low = part(items, [=](const Item& item) { return item[axis] <= pivot; });
+      if (middle <= low) return;
+    }
+    if (middle == low) return;
+    const bool is_in_low = middle < low;
+    items = is_in_low ? items.first(low) : items.subspan(low);
+    if (!is_in_low) middle -= low;
+  }
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle), items.end(),
+                   [=](const Item& a, const Item& b) { return a[axis] < b[axis]; });
+}
+
+struct Part {
+  Items items;
+  Box box;
+};
+
+// Two parts at the median of the longest side, as long as there is more than a leaf. Equal points are parted by index,
+// so that those of a query are found in few leaves.
+std::array<Part, 2> halved(const Part& whole) {
+  if (whole.items.size() <= KdLeaf::kPoints) return {whole, Part{}};
+  const std::size_t num_leaves = (whole.items.size() + KdLeaf::kPoints - 1) / KdLeaf::kPoints;
+  const std::size_t middle = (num_leaves + 1) / 2 * KdLeaf::kPoints;
+  const int axis = whole.box.longest_axis();
+  if (whole.box.min[axis] < whole.box.max[axis])
+    halve(whole.items, middle, axis);
+  else
+    std::sort(whole.items.begin(), whole.items.end(),
+              [](const Item& a, const Item& b) { return index_of(a) < index_of(b); });
+  const Items low = whole.items.first(middle), high = whole.items.subspan(middle);
+  return {Part{low, box_of(low)}, Part{high, box_of(high)}};
+}
+
+class Builder {
+ public:
+  explicit Builder(std::size_t num_points) {
+    built_.leaves.reserve((num_points + KdLeaf::kPoints - 1) / KdLeaf::kPoints);
+    built_.nodes.reserve(built_.leaves.capacity() / 2 + 1);
+  }
+
+  std::uint32_t add_node(const Part& whole) {
+    const auto place = static_cast<std::uint32_t>(built_.nodes.size());
+    built_.nodes.emplace_back();
+    const auto [low, high] = halved(whole);
+    const auto [first, second] = halved(low);
+    const auto [third, fourth] = halved(high);
+    std::size_t slot = 0;
+    for (const Part& child : {first, second, third, fourth}) set_child(place, slot++, child);
+    return place;
+  }
+
+  KdNodes take() { return std::move(built_); }
+
+ private:
+  void set_child(std::uint32_t node, std::size_t slot, const Part& part) {
+    std::uint32_t least_index = kNoIndex, child = 0;
+    for (const Item& item : part.items) least_index = std::min(least_index, index_of(item));
+    if (!part.items.empty()) child = part.items.size() <= KdLeaf::kPoints ? add_leaf(part.items) : add_node(part);
+    KdNode& parent = built_.nodes[node];
+    const Box box = part.items.empty() ? Box{FourFloats{} + kInfinity, FourFloats{} + kInfinity} : part.box;
+    parent.min_x[slot] = box.min[0], parent.min_y[slot] = box.min[1], parent.min_z[slot] = box.min[2];
+    parent.max_x[slot] = box.max[0], parent.max_y[slot] = box.max[1], parent.max_z[slot] = box.max[2];
+    parent.least_index[slot] = least_index;
+    parent.child[slot] = child;
+  }
+
+  std::uint32_t add_leaf(Items items) {
+    KdLeaf& leaf = built_.leaves.emplace_back();
+    for (std::size_t k = 0; k < KdLeaf::kPoints; ++k) {
+      const bool is_here = k < items.size();
+      const Item item = is_here ? items[k] : FourFloats{} + kInfinity;
+      leaf.x[k / 4][k % 4] = item[0], leaf.y[k / 4][k % 4] = item[1], leaf.z[k / 4][k % 4] = item[2];
+      leaf.index[k] = is_here ? index_of(item) : kNoIndex;
+    }
+    return static_cast<std::uint32_t>(built_.leaves.size() - 1) | KdNode::kIsLeaf;
+  }
+
+  KdNodes built_;
+};
+
+}  // namespace
+
+KdNodes build_kd_nodes(const Cloud& cloud) {
+  if (cloud.empty()) return {};
+  std::vector<Item> items(cloud.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    const Vec3f& point = cloud.points[i];
+    items[i] = FourFloats{point.x(), point.y(), point.z(), std::bit_cast<float>(i)};
+  }
+  Builder builder(items.size());
+  builder.add_node({items, box_of(items)});
+  return builder.take();
+}
+
+}  // namespace augicp
