@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "augicp/core/check.h"
 #include "augicp/core/vectorized.h"
@@ -59,6 +60,26 @@ AUGICP_VECTORIZED void test_directions(const GateNumbers& __restrict gates, Cand
   }
 }
 
+void append(const std::uint32_t* sources, const std::uint32_t* targets, std::size_t count,
+            std::vector<Correspondence>& pairs) {
+  const std::size_t before = pairs.size();
+  pairs.resize(before + count);
+  for (std::size_t k = 0; k < count; ++k) pairs[before + k] = {sources[k], targets[k]};
+}
+
+// passes: 1 or 0 for each.
+void append_some(const std::uint32_t* sources, const std::uint32_t* targets, const std::int32_t* passes,
+                 std::size_t count, std::vector<Correspondence>& pairs) {
+  std::uint32_t of_source[kGatheredAtOnce], of_target[kGatheredAtOnce];
+  std::size_t num_passing = 0;
+  for (std::size_t k = 0; k < count; ++k) {  // without a branch: no processor guesses where pairs fail
+    of_source[num_passing] = sources[k];
+    of_target[num_passing] = targets[k];
+    num_passing += static_cast<std::size_t>(passes[k]);
+  }
+  append(of_source, of_target, num_passing, pairs);
+}
+
 }  // namespace
 
 void Gates::check() const {
@@ -100,16 +121,11 @@ void PairFilter::append_passing(const IndexRuns& sources, const IndexRuns& targe
     gather(target_.directions, targets, candidates.target_direction);
     test_directions(gates, candidates);
   }
-  std::uint32_t of_source[kGatheredAtOnce], of_target[kGatheredAtOnce];
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < sources.count; ++k) {  // without a branch: no processor guesses where pairs fail
-    of_source[count] = sources.index[k];
-    of_target[count] = targets.index[k];
-    count += static_cast<std::size_t>(candidates.passes[k]);
-  }
-  const std::size_t before = pairs.size();
-  pairs.resize(before + count);
-  for (std::size_t k = 0; k < count; ++k) pairs[before + k] = {of_source[k], of_target[k]};
+  const auto num_passing = std::accumulate(candidates.passes, candidates.passes + sources.count, std::int32_t{0});
+  if (static_cast<std::size_t>(num_passing) == sources.count)
+    append(sources.index, targets.index, sources.count, pairs);
+  else
+    append_some(sources.index, targets.index, candidates.passes, sources.count, pairs);
 }
 
 }  // namespace augicp
