@@ -153,6 +153,27 @@ TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
   }
 }
 
+// The target's points moved along their rays, with other directions: each is seen in its own pixel, in the order of
+// pixels.
+Cloud source_along_rays(const Cloud& target, unsigned seed) {
+  std::mt19937 generator(seed);
+  Cloud source = source_near(target, seed);
+  for (std::size_t i = 0; i < target.size(); ++i)
+    source.points[i] = static_cast<float>(testing::uniform(generator, 0.96, 1.04)) * target.points[i];
+  return source;
+}
+
+TEST(ProjectiveMatcher, PairsOfPointsSideBySideAreThoseOfALoopOverPixels) {
+  for (const Case& one : cases()) {
+    OrganizedCloud target = random_target(3);
+    Cloud source = with_some_opposite(source_along_rays(target.cloud, 5));
+    drop_unknown_viewpoints(one, source, target.cloud);
+    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, Rigid3{}, one.gates, 1);
+    EXPECT_EQ(pairs, projective_slowly(source, target, Rigid3{}, one.gates));
+    EXPECT_GT(pairs.size(), 500u);
+  }
+}
+
 // More pixels than one block holds: what the blocks find is put together without gaps.
 TEST(ProjectiveMatcher, BlocksOfPixelsJoin) {
   const Pinhole camera{200.0, 200.0, 109.5, 89.5, 220, 180};

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
+#include "augicp/cloud/gather.h"
 #include "augicp/geometry/rigid3.h"
 #include "augicp/match/gates.h"
 
@@ -23,6 +25,10 @@ class PairFilter {
     if (!((target_.points[target_index] - moved_source).squaredNorm() <= max_distance_sq_)) return false;
     return directions_agree(source_index, target_index);
   }
+
+  // Appends those of at most kGatheredAtOnce candidates that pass, in their order: as passes() says, but for the last
+  // digits at a gate's border, and many at once. Both runs must be as many.
+  void append_passing(const IndexRuns& sources, const IndexRuns& targets, std::vector<Correspondence>& pairs) const;
 
  private:
   bool directions_agree(std::uint32_t source_index, std::uint32_t target_index) const {

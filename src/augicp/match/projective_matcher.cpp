@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "augicp/core/parallel.h"
+#include "augicp/core/vectorized.h"
 #include "augicp/match/agreement_count.h"
 #include "augicp/match/matcher.h"
 #include "augicp/match/pair_filter.h"
@@ -13,12 +16,43 @@ std::int32_t pixel_of(const Vec3f& place, const Pinhole& camera, const IndexImag
   if (!(place.z() > 0.0f)) return IndexImage::kNone;
   const float u = static_cast<float>(camera.fx) * place.x() / place.z() + static_cast<float>(camera.cx) + 0.5f;
   const float v = static_cast<float>(camera.fy) * place.y() / place.z() + static_cast<float>(camera.cy) + 0.5f;
-  const bool is_inside = u >= 0.0f && v >= 0.0f && u < static_cast<float>(index.width) && v < static_cast<float>(index.height);
+  const bool is_inside =
+      u >= 0.0f && v >= 0.0f && u < static_cast<float>(index.width) && v < static_cast<float>(index.height);
   return is_inside ? index.at(static_cast<int>(u), static_cast<int>(v)) : IndexImage::kNone;
 }
 
 // Fewer points than this share of the pixels hardly hide each other, and need no image of their own.
 constexpr std::size_t kPixelsPerSparsePoint = 16;
+
+// Does every one of these pixels have a point in both images, or none of them?
+enum class Seen { InAll, InSome, InNone };
+AUGICP_VECTORIZED Seen seen_in_both(const std::int32_t* __restrict a, const std::int32_t* __restrict b,
+                                    std::size_t count) {
+  std::int32_t any = 0, every = -1;  // kNone is negative, all indices are not
+  for (std::size_t k = 0; k < count; ++k) any |= a[k] | b[k], every &= a[k] | b[k];
+  return any >= 0 ? Seen::InAll : every < 0 ? Seen::InNone : Seen::InSome;
+}
+
+// The points that both images have in the same of at most kGatheredAtOnce pixels, pixel by pixel.
+void find_candidates(const std::int32_t* a, const std::int32_t* b, std::size_t num_pixels, IndexRuns& of_a,
+                     IndexRuns& of_b) {
+  std::size_t count = 0;
+  const Seen seen = seen_in_both(a, b, num_pixels);
+  if (seen == Seen::InAll) {
+    std::copy_n(a, num_pixels, of_a.index);
+    std::copy_n(b, num_pixels, of_b.index);
+    count = num_pixels;
+  } else if (seen == Seen::InSome) {
+    for (std::size_t k = 0; k < num_pixels; ++k) {  // without a branch: no processor guesses where holes are
+      of_a.index[count] = static_cast<std::uint32_t>(a[k]);
+      of_b.index[count] = static_cast<std::uint32_t>(b[k]);
+      count += (a[k] | b[k]) >= 0 ? 1 : 0;
+    }
+  }
+  of_a.count = of_b.count = count;
+  find_runs(of_a);
+  find_runs(of_b);
+}
 
 }  // namespace
 
@@ -37,10 +71,11 @@ std::vector<Correspondence> ProjectiveMatcher::match(const Cloud& source, const 
   const auto match_pixels = [&](std::size_t begin, std::size_t end) {
     std::vector<Correspondence>& pairs = of_block[begin / kLightBlockSize];
     pairs.reserve(end - begin);
-    for (std::size_t pixel = begin; pixel < end; ++pixel) {
-      if (seen.index[pixel] == IndexImage::kNone || index_.index[pixel] == IndexImage::kNone) continue;
-      const auto j = static_cast<std::uint32_t>(seen.index[pixel]), i = static_cast<std::uint32_t>(index_.index[pixel]);
-      if (filter.passes(j, filter.moved(j), i)) pairs.push_back({j, i});
+    IndexRuns of_source, of_target;
+    for (std::size_t pixel = begin; pixel < end; pixel += kGatheredAtOnce) {
+      const std::size_t count = std::min(kGatheredAtOnce, end - pixel);
+      find_candidates(&seen.index[pixel], &index_.index[pixel], count, of_source, of_target);
+      if (of_source.count > 0) filter.append_passing(of_source, of_target, pairs);
     }
   };
   for_each_block(seen.index.size(), num_threads, match_pixels, kLightBlockSize);

@@ -15,8 +15,8 @@ inline Vecf weighed(float along, float across, const Vecf& d, const Vecf& x) {
   return sum(scaled(across, x), scaled((along - across) * dot(d, x), d));
 }
 
-// The natural logarithm of a number of at least 1 to the last digit or so, without branches, so that loops with it can be
-// made of vectors: x = 2^e m with m about 1, and log m = 2 artanh((m - 1) / (m + 1)).
+// The natural logarithm of a number of at least 1 to the last digit or so, without branches, so that loops with it can
+// be made of vectors: x = 2^e m with m about 1, and log m = 2 artanh((m - 1) / (m + 1)).
 inline float log_of(float x) {
   constexpr std::uint32_t kMantissa = 0x007fffff, kOne = 0x3f800000;
   const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -25,7 +25,8 @@ inline float log_of(float x) {
   const bool is_upper = mantissa > 1.41421356f;
   const float f = (is_upper ? 0.5f * mantissa : mantissa) - 1.0f, e = is_upper ? exponent + 1.0f : exponent;
   const float s = f / (2.0f + f), z = s * s;
-  return e * 0.693147181f + 2.0f * s * (1.0f + z * (1.0f / 3.0f + z * (1.0f / 5.0f + z * (1.0f / 7.0f + z * (1.0f / 9.0f)))));
+  return e * 0.693147181f +
+         2.0f * s * (1.0f + z * (1.0f / 3.0f + z * (1.0f / 5.0f + z * (1.0f / 7.0f + z * (1.0f / 9.0f)))));
 }
 
 // Eq. (13), and the loss that has it as its derivative.
@@ -65,15 +66,22 @@ AUGICP_VECTORIZED void terms_of(const PairBatch& __restrict batch, float kernel_
   const PairBatch& b = batch;
   auto& t = terms.term;
   using Terms = PairTerms;
+  // In a loop of its own: each step of it waits for the one before, and processors look some hundred steps ahead.
+  alignas(64) float gammas[kPairsPerBatch], direction_gammas[kPairsPerBatch];
   for (int k = 0; k < kPairsPerBatch; ++k) {
     const Robust of_direction = robust(direction_chi2(b, k), kernel_direction_chi2);
     const Robust of_pair = robust(position_chi2(b, k) + of_direction.loss, kernel_chi2);
-    const float gamma = of_pair.gamma, direction_gamma = gamma * of_direction.gamma;
+    gammas[k] = of_pair.gamma;
+    direction_gammas[k] = of_pair.gamma * of_direction.gamma;
+    t[Terms::kCost][k] = 0.5f * of_pair.loss;
+  }
+  for (int k = 0; k < kPairsPerBatch; ++k) {
+    const float gamma = gammas[k], direction_gamma = direction_gammas[k];
     const Vecf d = at(b.target_direction, k), q = at(b.moved_point, k), m = at(b.moved_direction, k);
     const Vecf qd = cross(q, d), md = cross(m, d);
     const float a = gamma * b.across[k], c = gamma * (b.along[k] - b.across[k]);
     const float al = direction_gamma * b.direction_across[k],
-                 cl = direction_gamma * (b.direction_along[k] - b.direction_across[k]);
+                cl = direction_gamma * (b.direction_along[k] - b.direction_across[k]);
     const Vecf cd = scaled(c, d), cqd = scaled(c, qd), clmd = scaled(cl, md), aq = scaled(a, q), alm = scaled(al, m);
     const float diagonal = dot(aq, q) + dot(alm, m);
     t[Terms::kTt + 0][k] = a + cd.x * d.x;
@@ -110,7 +118,6 @@ AUGICP_VECTORIZED void terms_of(const PairBatch& __restrict batch, float kernel_
     t[Terms::kBr + 0][k] = -torque.x;
     t[Terms::kBr + 1][k] = -torque.y;
     t[Terms::kBr + 2][k] = -torque.z;
-    t[Terms::kCost][k] = 0.5f * of_pair.loss;
   }
 }
 

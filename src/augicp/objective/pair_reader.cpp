@@ -10,7 +10,8 @@
 namespace augicp {
 namespace {
 
-constexpr auto kNone = static_cast<std::int32_t>(Structure::None), kPlanar = static_cast<std::int32_t>(Structure::Planar);
+constexpr auto kNone = static_cast<std::int32_t>(Structure::None),
+               kPlanar = static_cast<std::int32_t>(Structure::Planar);
 
 AUGICP_VECTORIZED void move_batch(const PairModel& __restrict model, PairBatch& __restrict b) {
   const double* const t = model.translation;
@@ -36,6 +37,8 @@ AUGICP_VECTORIZED void weigh_batch(const PairModel& __restrict model, PairBatch&
                     direction_across = model.direction_across;
   for (int k = 0; k < kPairsPerBatch; ++k) {
     const std::int32_t structure = b.structure[k];
+    // Where the structures differ the linear error has no meaning: Omega^l = 0.
+    b.compares[k] = (structure != kNone) & (structure == b.source_structure[k]) ? 1.0f : 0.0f;
     const float weight = b.weight[k], compared = b.compares[k] * weight;
     b.along[k] = weight * along.of(structure);
     b.across[k] = weight * across.of(structure);
@@ -70,10 +73,6 @@ PairModel pair_model(const Rigid3& pose, const InformationModel& information, do
   return model;
 }
 
-void put(PairBatch::Array<float> (&a)[3], std::size_t k, const Vec3f& v) {
-  a[0][k] = v.x(), a[1][k] = v.y(), a[2][k] = v.z();
-}
-
 }  // namespace
 
 PairReader::PairReader(const Cloud& source, const Cloud& target, const Rigid3& target_from_source,
@@ -84,33 +83,24 @@ PairReader::PairReader(const Cloud& source, const Cloud& target, const Rigid3& t
       model_(pair_model(target_from_source, information, information_unit_, normals_have_signs(source, target))),
       compares_directions_(source.has_directions() && target.has_directions()) {}
 
-void PairReader::gather(std::span<const Correspondence> pairs, PairBatch& batch) const {
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto [j, i] = pairs[k];
-    put(batch.source_point, k, source_.points[j]);
-    put(batch.target_point, k, target_.points[i]);
-    batch.weight[k] = target_.weights.empty() ? 1.0f : target_.weights[i];
-  }
-  if (target_.has_directions())
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const std::uint32_t i = pairs[k].target;
-      put(batch.target_direction, k, target_.directions[i]);
-      batch.structure[k] = static_cast<std::int32_t>(target_.structures[i]);
-    }
-  if (compares_directions_)
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const std::uint32_t j = pairs[k].source;
-      put(batch.source_direction, k, source_.directions[j]);
-      // Where the structures differ the linear error has no meaning: Omega^l = 0.
-      const auto structure = static_cast<std::int32_t>(source_.structures[j]);
-      batch.compares[k] = structure != kNone && structure == batch.structure[k] ? 1.0f : 0.0f;
-    }
-}
-
 void PairReader::read(std::span<const Correspondence> pairs, PairBatch& batch) const {
-  gather(pairs, batch);
+  IndexRuns of_source, of_target;
+  find_runs(pairs, of_source, of_target);
+  gather(source_.points, of_source, batch.source_point);
+  gather(target_.points, of_target, batch.target_point);
+  if (target_.weights.empty())
+    std::fill_n(batch.weight, pairs.size(), 1.0f);
+  else
+    gather(target_.weights, of_target, batch.weight);
   std::fill(batch.weight + pairs.size(), batch.weight + kPairsPerBatch, 0.0f);
-  std::fill(batch.compares + pairs.size(), batch.compares + kPairsPerBatch, 0.0f);
+  if (target_.has_directions()) {
+    gather(target_.directions, of_target, batch.target_direction);
+    gather(target_.structures, of_target, batch.structure);
+  }
+  if (compares_directions_) {
+    gather(source_.directions, of_source, batch.source_direction);
+    gather(source_.structures, of_source, batch.source_structure);
+  }
   move_batch(model_, batch);
   weigh_batch(model_, batch);
 }

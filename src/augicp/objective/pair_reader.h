@@ -41,8 +41,6 @@ class PairReader {
   double information_unit() const { return information_unit_; }
 
  private:
-  void gather(std::span<const Correspondence> pairs, PairBatch& batch) const;
-
   const Cloud& source_;
   const Cloud& target_;
   double information_unit_;
