@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "augicp/core/parallel.h"
@@ -14,45 +15,55 @@
 
 namespace augicp {
 
-// What is summed. Positions need double: their squares reach 25 m^2 while a surface is flat to 1e-6 m^2, and a prefix
-// sum over a column holds some hundred thousand of them.
+// What is summed, and as what. Positions need double: their squares reach 25 m^2 while a surface is flat to 1e-6 m^2,
+// and a prefix sum over a column holds some hundred thousand of them. Directions are at most 1 each, and looked at to
+// 1e-3.
 struct PointMoments {  // count, sum, upper triangle of the sum of outer products
   using Number = double;
   static constexpr int kChannels = 10;
 };
-struct DirectionMoments {  // weight, weighted upper triangle, 0: at most 1 each, and looked at to 1e-3
+struct DirectionMoments {  // weight, weighted upper triangle, 0
   using Number = float;
   static constexpr int kChannels = 8;
 };
 
-// One channel after the other for the pixels of a batch, so that what follows is done on several pixels at once.
-template <typename Moments>
-struct SumBatch {
-  alignas(64) typename Moments::Number channel[Moments::kChannels][kBatch];
+// A unit vector and what it is worth, or what it is, one entry a pixel.
+struct Direction {
+  float xyz[3];
+  float weight;  // 0: none
+};
+
+// What the windows of a batch of pixels hold: how many points, and their covariance; or the weight of the directions,
+// and their mean outer product. Zero where there is nothing.
+struct WindowBatch {
+  alignas(64) BatchArray weight;
+  SymmetricBatch matrix;
 };
 
 // The loops themselves, for both kinds.
 //
-// prefix[k + 1] = prefix[k] + values[k] for count pixels.
-void accumulate(const double* values, int count, double* prefix, PointMoments);
-void accumulate(const float* values, int count, float* prefix, DirectionMoments);
-
-// sum[k] += numbers[k] for count numbers, the channels of whole pixels.
-void add(const double* numbers, int count, double* sum);
-void add(const float* numbers, int count, float* sum);
+// prefix[k + 1] = prefix[k] + channels of pixel k, for count pixels, from prefix[0] = 0 on. Of points, which index
+// says; of directions, as far as they weigh least_weight.
+void accumulate(const Vec3f* points, const std::int32_t* index, int count, double* prefix);
+void accumulate(const Direction* directions, int count, float least_weight, float* prefix);
 
 // Pixel k's sum is prefix[spans[k].end] - prefix[spans[k].begin].
 void differences(const double* prefix, const Span* spans, int count, double* sums, PointMoments);
 void differences(const float* prefix, const Span* spans, int count, float* sums, DirectionMoments);
 
-// The same for kBatch pixels side by side, each with its own column of prefix sums: rows of kBatch pixels.
-void differences(const double* prefix, const Span* spans, SumBatch<PointMoments>& sums);
-void differences(const float* prefix, const Span* spans, SumBatch<DirectionMoments>& sums);
+// sum[k] = before[k] + numbers[k] for count numbers, the channels of whole pixels.
+void add(const double* before, const double* numbers, int count, double* sum);
+void add(const float* before, const float* numbers, int count, float* sum);
+
+// What lies between the rows of their spans for kBatch pixels side by side, each with its own column of prefix sums:
+// rows of kBatch pixels.
+void look_into_windows(const double* prefix, const Span* spans, WindowBatch& windows, PointMoments);
+void look_into_windows(const float* prefix, const Span* spans, WindowBatch& windows, DirectionMoments);
 
 inline constexpr std::size_t kRowsPerBlock = 8;
 
-// Channels of every pixel, for work along columns: the image is cut into strips of kBatch columns, and a strip's rows
-// follow one another in memory. A row of zeros comes before each strip's first.
+// Sums over rows, for work along columns: the image is cut into strips of kBatch columns, and a strip's rows follow one
+// another in memory.
 template <typename Moments>
 class StripImage {
  public:
@@ -60,19 +71,14 @@ class StripImage {
   static constexpr std::size_t kStride = std::size_t{kBatch} * Moments::kChannels;  // from row to row
 
   StripImage(int width, int height)
-      : num_strips_((static_cast<std::size_t>(width) + kBatch - 1) / kBatch),
-        rows_(static_cast<std::size_t>(height) + 1),
-        numbers_(std::make_unique_for_overwrite<Number[]>(num_strips_ * rows_ * kStride)) {
-    for (std::size_t strip = 0; strip < num_strips_; ++strip) std::fill_n(before(strip), kStride, Number{0});
-  }
-
-  std::size_t num_strips() const { return num_strips_; }
-  Number* before(std::size_t strip) { return &numbers_[strip * rows_ * kStride]; }
-  Number* row(std::size_t strip, std::size_t v) { return before(strip) + (v + 1) * kStride; }
+      : height_(static_cast<std::size_t>(height)),
+        numbers_(std::make_unique_for_overwrite<Number[]>((static_cast<std::size_t>(width) + kBatch - 1) / kBatch *
+                                                          height_ * kStride)) {}
+  Number* row(std::size_t strip, std::size_t v) { return &numbers_[(strip * height_ + v) * kStride]; }
+  const Number* row(std::size_t strip, std::size_t v) const { return &numbers_[(strip * height_ + v) * kStride]; }
 
  private:
-  std::size_t num_strips_;
-  std::size_t rows_;
+  std::size_t height_;
   std::unique_ptr<Number[]> numbers_;
 };
 
@@ -83,10 +89,9 @@ void for_each_strip(std::size_t width, const Body& body) {
     body(u / kBatch, u, static_cast<int>(std::min<std::size_t>(kBatch, width - u)));
 }
 
-// Every pixel's sum over its span in its row. values_of_row(v, values) writes the channels of row v, zero where nothing
-// counts, and says whether there are any but zeros.
-template <typename Moments, typename ValuesOfRow>
-StripImage<Moments> sums_over_rows(const WindowSpans& spans, int num_threads, const ValuesOfRow& values_of_row) {
+// Every pixel's sum over its span in its row. accumulate_row(v, prefix) calls accumulate() for row v.
+template <typename Moments, typename AccumulateRow>
+StripImage<Moments> sums_over_rows(const WindowSpans& spans, int num_threads, const AccumulateRow& accumulate_row) {
   using Number = typename Moments::Number;
   constexpr std::size_t kChannels = Moments::kChannels;
   const auto width = static_cast<std::size_t>(spans.width);
@@ -94,11 +99,10 @@ StripImage<Moments> sums_over_rows(const WindowSpans& spans, int num_threads, co
   for_each_block(
       static_cast<std::size_t>(spans.height), num_threads,
       [&](std::size_t begin, std::size_t end) {
-        const auto values = std::make_unique<Number[]>(width * kChannels);
-        const auto prefix = std::make_unique<Number[]>((width + 1) * kChannels);
+        const auto prefix = std::make_unique_for_overwrite<Number[]>((width + 1) * kChannels);
         for (std::size_t v = begin; v < end; ++v) {
-          const bool any = values_of_row(v, values.get());
-          if (any) accumulate(values.get(), spans.width, prefix.get(), Moments{});
+          accumulate_row(v, prefix.get());
+          const bool any = prefix[width * kChannels] > Number{0};
           for_each_strip(width, [&](std::size_t strip, std::size_t u, int count) {
             if (any)
               differences(prefix.get(), &spans.in_row[v * width + u], count, sums.row(strip, v), Moments{});
@@ -111,27 +115,29 @@ StripImage<Moments> sums_over_rows(const WindowSpans& spans, int num_threads, co
   return sums;
 }
 
-// Calls use(v, u, count, sums) for pixels u to u + count - 1 of every row v, with the sums of what lies in their
-// windows; concurrently for different columns. Sums of entries from count on are zero. wanted(v, u, count) may say that
-// nobody asks for these. Consumes the sums of rows.
+// Calls use(v, u, count, windows) for pixels u to u + count - 1 of every row v, with what lies in their windows;
+// concurrently for different columns. Entries from count on are zero. wanted(v, u) may say that nobody asks for these.
 template <typename Moments, typename Wanted, typename Use>
-void sum_over_columns(const WindowSpans& spans, StripImage<Moments> sums_of_rows, int num_threads, const Wanted& wanted,
-                      const Use& use) {
+void sum_over_columns(const WindowSpans& spans, const StripImage<Moments>& sums_of_rows, int num_threads,
+                      const Wanted& wanted, const Use& use) {
+  using Number = typename Moments::Number;
   constexpr std::size_t kStride = StripImage<Moments>::kStride;
   const auto width = static_cast<std::size_t>(spans.width), height = static_cast<std::size_t>(spans.height);
   const auto sum_strip = [&](std::size_t begin, std::size_t end) {
     const int count = static_cast<int>(end - begin);
-    auto* const prefix = sums_of_rows.before(begin / kBatch);
+    const auto prefix = std::make_unique_for_overwrite<Number[]>((height + 1) * kStride);  // stays in the cache
+    std::fill_n(prefix.get(), kStride, Number{0});
     for (std::size_t v = 0; v < height; ++v)
-      add(prefix + v * kStride, count * Moments::kChannels, prefix + (v + 1) * kStride);
-    SumBatch<Moments> sums;
+      add(&prefix[v * kStride], sums_of_rows.row(begin / kBatch, v), count * Moments::kChannels,
+          &prefix[(v + 1) * kStride]);
+    WindowBatch windows;
     Span padded[kBatch] = {};  // those beyond the image are empty
     for (std::size_t v = 0; v < height; ++v) {
-      if (!wanted(v, begin, count)) continue;
+      if (!wanted(v, begin)) continue;
       const Span* column_spans = &spans.in_column[v * width + begin];
       if (count < kBatch) column_spans = std::copy_n(column_spans, count, padded) - count;
-      differences(prefix, column_spans, sums);
-      use(v, begin, count, sums);
+      look_into_windows(prefix.get(), column_spans, windows, Moments{});
+      use(v, begin, count, windows);
     }
   };
   for_each_block(width, num_threads, sum_strip, kBatch);
