@@ -82,6 +82,17 @@ class StripImage {
   std::unique_ptr<Number[]> numbers_;
 };
 
+// Has count pixels from (u, v) on brought to the cache, of a row some rows farther down an image: a strip's rows lie
+// farther apart in an image than processors look ahead by themselves.
+template <typename Pixel>
+void fetch_ahead(const Pixel* image, std::size_t width, std::size_t height, std::size_t v, std::size_t u, int count) {
+  constexpr std::size_t kRowsAhead = 6, kLineBytes = 64;
+  if (v + kRowsAhead >= height) return;
+  const auto* const bytes = reinterpret_cast<const char*>(image + (v + kRowsAhead) * width + u);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count) * sizeof(Pixel); k += kLineBytes)
+    __builtin_prefetch(bytes + k);
+}
+
 // Calls body(strip, its first column, number of its columns).
 template <typename Body>
 void for_each_strip(std::size_t width, const Body& body) {
@@ -124,6 +135,9 @@ void sum_over_columns(const WindowSpans& spans, const StripImage<Moments>& sums_
   constexpr std::size_t kStride = StripImage<Moments>::kStride;
   const auto width = static_cast<std::size_t>(spans.width), height = static_cast<std::size_t>(spans.height);
   const auto sum_strip = [&](std::size_t begin, std::size_t end) {
+    std::size_t first_wanted = 0;
+    while (first_wanted < height && !wanted(first_wanted, begin)) ++first_wanted;
+    if (first_wanted == height) return;
     const int count = static_cast<int>(end - begin);
     const auto prefix = std::make_unique_for_overwrite<Number[]>((height + 1) * kStride);  // stays in the cache
     std::fill_n(prefix.get(), kStride, Number{0});
@@ -132,7 +146,8 @@ void sum_over_columns(const WindowSpans& spans, const StripImage<Moments>& sums_
           &prefix[(v + 1) * kStride]);
     WindowBatch windows;
     Span padded[kBatch] = {};  // those beyond the image are empty
-    for (std::size_t v = 0; v < height; ++v) {
+    for (std::size_t v = first_wanted; v < height; ++v) {
+      fetch_ahead(spans.in_column.data(), width, height, v, begin, count);
       if (!wanted(v, begin)) continue;
       const Span* column_spans = &spans.in_column[v * width + begin];
       if (count < kBatch) column_spans = std::copy_n(column_spans, count, padded) - count;
