@@ -2,34 +2,10 @@
 #include "augicp/surface/window_sums.h"
 
 #include "augicp/core/vectorized.h"
+#include "augicp/surface/vectors.h"
 
 namespace augicp {
 namespace {
-
-// Inlined into functions that are compiled for several instruction sets, so that it is compiled for each of them too.
-#define AUGICP_INLINE [[gnu::always_inline]] inline
-
-// So many bytes at a time, as compilers do not by themselves; where a machine has no such vectors they make several of
-// them. Vectors are never passed by value.
-template <typename Number, int kBytes>
-struct Vectors {
-  using Vector [[gnu::vector_size(kBytes)]] = Number;
-  static constexpr int kLanes = kBytes / static_cast<int>(sizeof(Number));
-};
-template <typename Number>
-using Wide = Vectors<Number, 32>;
-
-// Of arrays that need no alignment. Not by memcpy(), which gcc does in two halves, and then waits for both to arrive.
-template <typename Vector, typename Number>
-AUGICP_INLINE void load(const Number* from, Vector& vector) {
-  using Unaligned [[gnu::vector_size(sizeof(Vector)), gnu::aligned(alignof(Number)), gnu::may_alias]] = Number;
-  vector = *reinterpret_cast<const Unaligned*>(from);
-}
-template <typename Vector, typename Number>
-AUGICP_INLINE void store(const Vector& vector, Number* to) {
-  using Unaligned [[gnu::vector_size(sizeof(Vector)), gnu::aligned(alignof(Number)), gnu::may_alias]] = Number;
-  *reinterpret_cast<Unaligned*>(to) = vector;
-}
 
 // The channels of a pixel: wide vectors, and one of half the size for what is left (none of 8 floats, two of 10
 // doubles).

@@ -2,11 +2,13 @@
 #include "augicp/surface/window_surface.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "augicp/core/parallel.h"
+#include "augicp/surface/window_passes.h"
 #include "augicp/surface/window_shapes.h"
-#include "augicp/surface/window_sums.h"
 
 namespace augicp {
 namespace {
