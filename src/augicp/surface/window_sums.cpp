@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/surface/window_sums.h"
 
-#include <cstring>
-
 #include "augicp/core/vectorized.h"
+#include "augicp/surface/vectors.h"
 
 namespace augicp {
 namespace {
 
-// Inlined into functions that are compiled for several instruction sets, so that it is compiled for each of them too.
-#define AUGICP_INLINE [[gnu::always_inline]] inline
-
-// So many bytes at a time, as compilers do not by themselves; where a machine has no such vectors they make several of them.
-// Arrays need no alignment, and vectors are never passed by value.
-template <typename Number, int kBytes>
-struct Vectors {
-  using Vector [[gnu::vector_size(kBytes)]] = Number;
-  static constexpr int kLanes = kBytes / static_cast<int>(sizeof(Number));
-};
-template <typename Number>
-using Wide = Vectors<Number, 32>;
-
-template <typename Vector, typename Number>
-AUGICP_INLINE void load(const Number* from, Vector& vector) {
-  std::memcpy(&vector, from, sizeof vector);
-}
-template <typename Vector, typename Number>
-AUGICP_INLINE void store(const Vector& vector, Number* to) {
-  std::memcpy(to, &vector, sizeof vector);
-}
-
-// The channels of a pixel: wide vectors, and one of half the size for what is left (none of 8 floats, two of 10 doubles).
+// The channels of a pixel: wide vectors, and one of half the size for what is left (none of 8 floats, two of 10
+// doubles).
 template <typename Number, int kChannels>
 struct Pixel {
   static constexpr int kLanes = Wide<Number>::kLanes, kNumWide = kChannels / kLanes, kRest = kChannels % kLanes;
@@ -56,15 +34,34 @@ struct Pixel {
   }
 };
 
-template <int kChannels, typename Number>
-AUGICP_INLINE void accumulate_channels(const Number* values, int count, Number* prefix) {
-  Pixel<Number, kChannels> sum, value;
-  sum.read(prefix);
-  for (int k = 0; k < count; ++k) {
-    value.read(values + k * kChannels);
-    sum.add(value);
-    sum.write(prefix + (k + 1) * kChannels);
-  }
+// Writes the sum of what was added so far for each pixel.
+template <typename Number, int kChannels>
+class PrefixSum {
+ public:
+  AUGICP_INLINE explicit PrefixSum(Number* prefix) : next_(prefix) { write(); }
+  AUGICP_INLINE void add(const Pixel<Number, kChannels>& value) { sum_.add(value); }
+  AUGICP_INLINE void write() { sum_.write(next_), next_ += kChannels; }
+
+ private:
+  Pixel<Number, kChannels> sum_ = {};
+  Number* next_;
+};
+
+// The channels of a point and of a direction, by products of what lies in the same place of two vectors.
+AUGICP_INLINE void multiply_out(const Vec3f& p, Pixel<double, 10>& value) {
+  const Vectors<float, 16>::Vector one_xyz = {1.0f, p.x(), p.y(), p.z()};
+  const Wide<double>::Vector a = __builtin_convertvector(one_xyz, Wide<double>::Vector);
+  value.wide[0] = a;
+  value.wide[1] = __builtin_shufflevector(a, a, 1, 1, 1, 2) * __builtin_shufflevector(a, a, 1, 2, 3, 2);
+  value.rest = __builtin_shufflevector(a, a, 2, 3) * __builtin_shufflevector(a, a, 3, 3);
+}
+AUGICP_INLINE void multiply_out(const Direction& direction, float least_weight, Pixel<float, 8>& value) {
+  Vectors<float, 16>::Vector d;
+  load(direction.xyz, d);
+  const Vectors<float, 16>::Vector one = {1.0f, 0.0f, 0.0f, 0.0f};
+  const float weight = direction.weight >= least_weight ? direction.weight : 0.0f;
+  value.wide[0] = __builtin_shufflevector(d, one, 4, 0, 0, 0, 1, 1, 2, 2) * weight *
+                  __builtin_shufflevector(d, one, 4, 0, 1, 2, 1, 2, 2, 5);
 }
 
 template <int kChannels, typename Number>
@@ -79,21 +76,6 @@ AUGICP_INLINE void row_differences(const Number* prefix, const Span* spans, int 
 }
 
 // Rows become columns: the first vector gets what comes first in each.
-AUGICP_INLINE void transpose(Vectors<double, 16>::Vector (&rows)[2]) {
-  const auto first = __builtin_shufflevector(rows[0], rows[1], 0, 2);
-  rows[1] = __builtin_shufflevector(rows[0], rows[1], 1, 3);
-  rows[0] = first;
-}
-AUGICP_INLINE void transpose(Wide<double>::Vector (&rows)[4]) {
-  const auto even01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6),
-             odd01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7),
-             even23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6),
-             odd23 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
-  rows[0] = __builtin_shufflevector(even01, even23, 0, 1, 4, 5);
-  rows[1] = __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5);
-  rows[2] = __builtin_shufflevector(even01, even23, 2, 3, 6, 7);
-  rows[3] = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
-}
 // In three steps: columns of two rows, of four, of all.
 AUGICP_INLINE void transpose(Wide<float>::Vector (&rows)[8]) {
   Wide<float>::Vector two[8], four[8];
@@ -112,47 +94,77 @@ AUGICP_INLINE void transpose(Wide<float>::Vector (&rows)[8]) {
   }
 }
 
-// Of kLanes pixels from k on, kLanes channels from c on.
-template <int kBytes, typename Moments, typename Number = typename Moments::Number>
-AUGICP_INLINE void block_differences(const Number* prefix, const Span* spans, int k, int c, SumBatch<Moments>& sums) {
-  constexpr int kLanes = Vectors<Number, kBytes>::kLanes, kChannels = Moments::kChannels;
-  typename Vectors<Number, kBytes>::Vector rows[kLanes], before;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const Number* const pixel = prefix + (k + lane) * kChannels + c;
-    load(pixel + spans[k + lane].end * (kBatch * kChannels), rows[lane]);
-    load(pixel + spans[k + lane].begin * (kBatch * kChannels), before);
-    rows[lane] -= before;
-  }
-  transpose(rows);
-  for (int channel = 0; channel < kLanes; ++channel) store(rows[channel], &sums.channel[c + channel][k]);
+// Of points: xx, xy, xz, yy, yz, zz of their covariance, their number, 0.
+AUGICP_INLINE void summarize(const Pixel<double, 10>& sums, Wide<float>::Vector& window) {
+  const Wide<double>::Vector& first = sums.wide[0];
+  const double count = first[0], inverse = 1.0 / (count > 1.0 ? count : 1.0);
+  const Wide<double>::Vector mean = first * inverse,
+                             xx_to_yy = sums.wide[1] * inverse - __builtin_shufflevector(mean, mean, 1, 1, 1, 2) *
+                                                                     __builtin_shufflevector(mean, mean, 1, 2, 3, 2);
+  const Vectors<double, 16>::Vector yz_zz = sums.rest * inverse - __builtin_shufflevector(mean, mean, 2, 3) *
+                                                                      __builtin_shufflevector(mean, mean, 3, 3),
+                                    count_0 = {count, 0.0};
+  using Half = Vectors<float, 16>::Vector;
+  const Half low = __builtin_convertvector(xx_to_yy, Half);
+  const Half high = __builtin_convertvector(__builtin_shufflevector(yz_zz, count_0, 0, 1, 2, 3), Half);
+  window = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+// Of directions: the sums of the same, and their weight.
+AUGICP_INLINE void summarize(const Pixel<float, 8>& sums, Wide<float>::Vector& window) {
+  window = __builtin_shufflevector(sums.wide[0], sums.wide[0], 1, 2, 3, 4, 5, 6, 0, 7);
 }
 
 template <typename Moments, typename Number = typename Moments::Number>
-AUGICP_INLINE void column_differences(const Number* prefix, const Span* spans, SumBatch<Moments>& sums) {
-  using Pixel = Pixel<Number, Moments::kChannels>;
-  constexpr int kWide = Pixel::kNumWide * Pixel::kLanes;
-  for (int k = 0; k < kBatch; k += Pixel::kLanes)
-    for (int c = 0; c < kWide; c += Pixel::kLanes) block_differences<32>(prefix, spans, k, c, sums);
-  if constexpr (Pixel::kRest > 0)
-    for (int k = 0; k < kBatch; k += Pixel::kRest) block_differences<16>(prefix, spans, k, kWide, sums);
+AUGICP_INLINE void look_into(const Number* prefix, const Span* spans, WindowBatch& windows) {
+  constexpr std::size_t kChannels = Moments::kChannels, kStride = kBatch * kChannels;
+  constexpr int kLanes = Wide<float>::kLanes;
+  static_assert(kBatch % kLanes == 0);
+  SymmetricBatch& m = windows.matrix;
+  for (int k = 0; k < kBatch; k += kLanes) {
+    Wide<float>::Vector rows[kLanes];
+    Pixel<Number, kChannels> sums, before;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const Number* const column = prefix + (k + lane) * kChannels;
+      sums.read(column + spans[k + lane].end * kStride);
+      before.read(column + spans[k + lane].begin * kStride);
+      sums.subtract(before);
+      summarize(sums, rows[lane]);
+    }
+    transpose(rows);
+    store(rows[0], m.xx + k), store(rows[1], m.xy + k), store(rows[2], m.xz + k);
+    store(rows[3], m.yy + k), store(rows[4], m.yz + k), store(rows[5], m.zz + k);
+    store(rows[6], windows.weight + k);
+  }
 }
 
 template <typename Number>
-AUGICP_INLINE void add_numbers(const Number* __restrict numbers, int count, Number* __restrict sum) {
-  for (int k = 0; k < count; ++k) sum[k] += numbers[k];
+AUGICP_INLINE void add_numbers(const Number* __restrict before, const Number* __restrict numbers, int count,
+                               Number* __restrict sum) {
+  for (int k = 0; k < count; ++k) sum[k] = before[k] + numbers[k];
 }
 
 }  // namespace
 
-AUGICP_VECTORIZED void accumulate(const double* values, int count, double* prefix, PointMoments) {
-  accumulate_channels<PointMoments::kChannels>(values, count, prefix);
+AUGICP_VECTORIZED void accumulate(const Vec3f* points, const std::int32_t* index, int count, double* prefix) {
+  PrefixSum<double, PointMoments::kChannels> sum(prefix);
+  Pixel<double, PointMoments::kChannels> value;
+  for (int k = 0; k < count; ++k) {
+    if (index[k] != IndexImage::kNone) {
+      multiply_out(points[index[k]], value);
+      sum.add(value);
+    }
+    sum.write();
+  }
 }
-AUGICP_VECTORIZED void accumulate(const float* values, int count, float* prefix, DirectionMoments) {
-  accumulate_channels<DirectionMoments::kChannels>(values, count, prefix);
+AUGICP_VECTORIZED void accumulate(const Direction* directions, int count, float least_weight, float* prefix) {
+  PrefixSum<float, DirectionMoments::kChannels> sum(prefix);
+  Pixel<float, DirectionMoments::kChannels> value;
+  for (int k = 0; k < count; ++k) {
+    multiply_out(directions[k], least_weight, value);
+    sum.add(value);
+    sum.write();
+  }
 }
-
-AUGICP_VECTORIZED void add(const double* numbers, int count, double* sum) { add_numbers(numbers, count, sum); }
-AUGICP_VECTORIZED void add(const float* numbers, int count, float* sum) { add_numbers(numbers, count, sum); }
 
 AUGICP_VECTORIZED void differences(const double* prefix, const Span* spans, int count, double* sums, PointMoments) {
   row_differences<PointMoments::kChannels>(prefix, spans, count, sums);
@@ -160,11 +172,26 @@ AUGICP_VECTORIZED void differences(const double* prefix, const Span* spans, int 
 AUGICP_VECTORIZED void differences(const float* prefix, const Span* spans, int count, float* sums, DirectionMoments) {
   row_differences<DirectionMoments::kChannels>(prefix, spans, count, sums);
 }
-AUGICP_VECTORIZED void differences(const double* prefix, const Span* spans, SumBatch<PointMoments>& sums) {
-  column_differences(prefix, spans, sums);
+
+AUGICP_VECTORIZED void add(const double* before, const double* numbers, int count, double* sum) {
+  add_numbers(before, numbers, count, sum);
 }
-AUGICP_VECTORIZED void differences(const float* prefix, const Span* spans, SumBatch<DirectionMoments>& sums) {
-  column_differences(prefix, spans, sums);
+AUGICP_VECTORIZED void add(const float* before, const float* numbers, int count, float* sum) {
+  add_numbers(before, numbers, count, sum);
+}
+
+AUGICP_VECTORIZED void look_into_windows(const double* prefix, const Span* spans, WindowBatch& windows, PointMoments) {
+  look_into<PointMoments>(prefix, spans, windows);
+}
+AUGICP_VECTORIZED void look_into_windows(const float* prefix, const Span* spans, WindowBatch& windows,
+                                         DirectionMoments) {
+  look_into<DirectionMoments>(prefix, spans, windows);
+  SymmetricBatch& m = windows.matrix;
+  for (int k = 0; k < kBatch; ++k) {
+    const float inverse = windows.weight[k] > 0.0f ? 1.0f / windows.weight[k] : 0.0f;
+    m.xx[k] *= inverse, m.xy[k] *= inverse, m.xz[k] *= inverse;
+    m.yy[k] *= inverse, m.yz[k] *= inverse, m.zz[k] *= inverse;
+  }
 }
 
 }  // namespace augicp

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Vectors for the few loops that compilers do not vectorize by themselves.
+#pragma once
+
+namespace augicp {
+
+// Inlined into functions that are compiled for several instruction sets, so that it is compiled for each of them too.
+#define AUGICP_INLINE [[gnu::always_inline]] inline
+
+// So many bytes at a time; where a machine has no such vectors they make several of
+// them. Vectors are never passed by value.
+template <typename Number, int kBytes>
+struct Vectors {
+  using Vector [[gnu::vector_size(kBytes)]] = Number;
+  static constexpr int kLanes = kBytes / static_cast<int>(sizeof(Number));
+};
+template <typename Number>
+using Wide = Vectors<Number, 32>;
+
+// Of arrays that need no alignment. Not by memcpy(), which gcc does in two halves, and then waits for both to arrive.
+template <typename Vector, typename Number>
+AUGICP_INLINE void load(const Number* from, Vector& vector) {
+  using Unaligned [[gnu::vector_size(sizeof(Vector)), gnu::aligned(alignof(Number)), gnu::may_alias]] = Number;
+  vector = *reinterpret_cast<const Unaligned*>(from);
+}
+template <typename Vector, typename Number>
+AUGICP_INLINE void store(const Vector& vector, Number* to) {
+  using Unaligned [[gnu::vector_size(sizeof(Vector)), gnu::aligned(alignof(Number)), gnu::may_alias]] = Number;
+  *reinterpret_cast<Unaligned*>(to) = vector;
+}
+
+}  // namespace augicp
