@@ -39,8 +39,8 @@ struct Keyed {
   std::uint32_t index;
 };
 
-// Sorted by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing them does. Bits above
-// the highest key's, half of them in most clouds, are left out.
+// Sorted by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing
+// them does. Bits above the highest key's, half of them in most clouds, are left out.
 void sort_by_key(std::vector<Keyed>& keyed) {
   constexpr int kBits = 11, kKeyBits = 63;
   std::uint64_t all = 0;

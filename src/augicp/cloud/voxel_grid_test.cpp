@@ -77,7 +77,8 @@ TEST(VoxelGrid, OrderOfThePointsDoesNotMatter) {
   EXPECT_EQ(select(cloud, spatial_order(cloud)).points, select(other, spatial_order(other)).points);
 }
 
-// The Morton curve by its definition: of two cells that axis decides in which they differ by the highest bit, z before y before x.
+// The Morton curve by its definition: of two cells that axis decides in which they differ by the highest bit, z before
+// y before x.
 bool is_before_on_curve(const Vec3f& p, const Vec3f& q) {
   const auto bits = [&](int axis) {
     return std::bit_width(static_cast<std::uint32_t>(p[axis]) ^ static_cast<std::uint32_t>(q[axis]));

@@ -48,9 +48,13 @@ std::span<const std::uint32_t> CellGrid::points_of(std::size_t cell) const {
   return std::span(points_).subspan(cells_[cell].begin, end - cells_[cell].begin);
 }
 
-std::size_t CellGrid::first_point_from(const Place& place) const {
-  const auto cell = std::partition_point(cells_.begin(), cells_.end(), [&](const Cell& c) { return c.place < place; });
-  return cell == cells_.end() ? points_.size() : cell->begin;
+std::span<const std::uint32_t> CellGrid::points_in_column(const Place& first, std::int64_t last_z) const {
+  const auto begin = std::partition_point(cells_.begin(), cells_.end(), [&](const Cell& c) { return c.place < first; });
+  const Place last{first[0], first[1], last_z};
+  auto end = begin;
+  while (end != cells_.end() && end->place <= last) ++end;
+  const auto first_point = [&](auto cell) { return cell == cells_.end() ? points_.size() : cell->begin; };
+  return std::span(points_).subspan(first_point(begin), first_point(end) - first_point(begin));
 }
 
 void CellGrid::around(std::size_t cell, std::vector<std::uint32_t>& points) const {
@@ -58,9 +62,8 @@ void CellGrid::around(std::size_t cell, std::vector<std::uint32_t>& points) cons
   const auto [x, y, z] = cells_[cell].place;
   for (const std::int64_t dx : {-1, 0, 1})
     for (const std::int64_t dy : {-1, 0, 1}) {  // three cells along z follow one another
-      const std::size_t begin = first_point_from({x + dx, y + dy, z - 1}), end = first_point_from({x + dx, y + dy, z + 2});
-      points.insert(points.end(), points_.begin() + static_cast<std::ptrdiff_t>(begin),
-                    points_.begin() + static_cast<std::ptrdiff_t>(end));
+      const auto column = points_in_column({x + dx, y + dy, z - 1}, z + 1);
+      points.insert(points.end(), column.begin(), column.end());
     }
   std::sort(points.begin(), points.end());
 }

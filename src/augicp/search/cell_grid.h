@@ -35,7 +35,8 @@ class CellGrid {
     std::size_t begin;  // of its points
   };
 
-  std::size_t first_point_from(const Place& place) const;
+  // Of the cells from one place up to another above it.
+  std::span<const std::uint32_t> points_in_column(const Place& first, std::int64_t last_z) const;
 
   std::vector<Cell> cells_;  // by their places
   std::vector<std::uint32_t> points_;
