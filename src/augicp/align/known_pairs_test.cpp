@@ -21,19 +21,25 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kNumSeeds = 5;
 constexpr double kReached = 0.02;  // rad
 
-// Mean rotation error over the seeds before the first iteration and after each: one number more than iterations, which
-// are few where few pairs are false.
-std::vector<double> mean_rotation_errors(KnownPairsOptions options, const Objective& objective) {
-  std::vector<double> errors(options.outlier_share > 0.5 ? 9 : 5, 0.0);
+using Errors = std::vector<double>;
+
+void add_rotation_errors(const KnownPairs& known, const Objective& objective, Errors& errors) {
+  const testing::FixedPairs matcher(known.target, known.pairs);
+  Rigid3 pose;
+  for (double& error : errors) {
+    error += angle_between(pose, known.target_from_source) / kNumSeeds;
+    const auto pairs = matcher.match(known.source, pose, {}, 0);
+    pose = retract(pose, damped_step(linearize(known.source, known.target, pairs, pose, objective, 0), 1e-6));
+  }
+}
+
+// Of each objective: mean rotation error over the seeds before the first iteration and after each: one number more than
+// iterations, which are few where few pairs are false.
+std::vector<Errors> mean_rotation_errors(KnownPairsOptions options, const std::vector<Objective>& objectives) {
+  std::vector<Errors> errors(objectives.size(), Errors(options.outlier_share > 0.5 ? 9 : 5, 0.0));
   for (options.seed = 1; options.seed <= kNumSeeds; ++options.seed) {
     const KnownPairs known = make_known_pairs(options);
-    const testing::FixedPairs matcher(known.target, known.pairs);
-    Rigid3 pose;
-    for (double& error : errors) {
-      error += angle_between(pose, known.target_from_source) / kNumSeeds;
-      const auto pairs = matcher.match(known.source, pose, {}, 0);
-      pose = retract(pose, damped_step(linearize(known.source, known.target, pairs, pose, objective, 0), 1e-6));
-    }
+    for (std::size_t k = 0; k < objectives.size(); ++k) add_rotation_errors(known, objectives[k], errors[k]);
   }
   return errors;
 }
@@ -44,14 +50,14 @@ KnownPairsOptions options_with(double outlier_share, double normal_noise_deg = 5
 
 // Iterations until the error is below kReached, with the last one counted in part as if the error fell by the same
 // factor all along it; infinity where it never is.
-double iterations_needed(const std::vector<double>& errors) {
+double iterations_needed(const Errors& errors) {
   for (std::size_t k = 1; k < errors.size(); ++k)
     if (errors[k] < kReached)
       return static_cast<double>(k) - std::log(kReached / errors[k]) / std::log(errors[k - 1] / errors[k]);
   return std::numeric_limits<double>::infinity();
 }
 
-void record(const std::string& method, const std::vector<double>& errors) {
+void record(const std::string& method, const Errors& errors) {
   ::testing::Test::RecordProperty(method + "_iterations", std::to_string(iterations_needed(errors)));
   ::testing::Test::RecordProperty(method + "_error_after_3", std::to_string(errors[3]));
 }
@@ -73,8 +79,9 @@ class KnownPairsAgainstGicp : public ::testing::TestWithParam<Case> {};
 TEST_P(KnownPairsAgainstGicp, AugmentedTurnsIntoPlaceInFewerIterations) {
   const auto& [name, outlier_share, normal_noise_deg, kernel_chi2, max_share] = GetParam();
   const auto options = options_with(outlier_share, normal_noise_deg);
-  const std::vector<double> gicp = mean_rotation_errors(options, {gicp_information(), kernel_chi2});
-  const std::vector<double> augmented = mean_rotation_errors(options, {augmented_information(), kernel_chi2});
+  const auto errors =
+      mean_rotation_errors(options, {{gicp_information(), kernel_chi2}, {augmented_information(), kernel_chi2}});
+  const Errors &gicp = errors[0], &augmented = errors[1];
   record("gicp", gicp);
   record("augmented", augmented);
   EXPECT_LE(iterations_needed(augmented), max_share * iterations_needed(gicp));
@@ -96,9 +103,9 @@ TEST(KnownPairsAgainstPoint, GicpTurnsIntoPlaceInFewerIterationsUnderTheSameKOnl
   for (double outlier_share : {0.5, 0.9}) {
     const auto options = options_with(outlier_share);
     const std::string percent = std::to_string(std::lround(100.0 * outlier_share));
-    const std::vector<double> gicp = mean_rotation_errors(options, {gicp_information(), 1000.0});
-    const std::vector<double> same_k = mean_rotation_errors(options, {point_information(), 1000.0});
-    const std::vector<double> same_kernel = mean_rotation_errors(options, {point_information(), 1.0});
+    const auto errors = mean_rotation_errors(
+        options, {{gicp_information(), 1000.0}, {point_information(), 1000.0}, {point_information(), 1.0}});
+    const Errors &gicp = errors[0], &same_k = errors[1], &same_kernel = errors[2];
     record("point_" + percent, same_k);
     record("point_with_kernel_" + percent, same_kernel);
     EXPECT_LT(iterations_needed(gicp), 0.6 * iterations_needed(same_k));

@@ -64,6 +64,18 @@ void add_visible_pieces(const Rendering& seen, const Crease& crease, double radi
   }
 }
 
+// Whether another surface is seen in the window, across a jump.
+bool jumps_within(const Rendering& seen, const Window& window, std::size_t pixel, double jump) {
+  for (int y = window.top; y <= window.bottom; ++y)
+    for (int x = window.left; x <= window.right; ++x) {
+      const std::size_t other = static_cast<std::size_t>(y) * seen.depth.width + x;
+      if (seen.surface[other] == seen.surface[pixel]) continue;
+      // Written so that a missing depth (NaN) counts as a jump.
+      if (!(std::abs(seen.depth.depth[other] - seen.depth.depth[pixel]) <= jump)) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Crease> visible_creases(const Scene& scene, const Rendering& seen, double radius) {
@@ -91,20 +103,10 @@ NearestCrease nearest_crease(const std::vector<Crease>& creases, const Vec3d& po
 std::vector<bool> beside_discontinuity(const Rendering& seen, int radius_px, double jump) {
   const int width = seen.depth.width, height = seen.depth.height;
   std::vector<bool> beside(seen.surface.size(), false);
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      const std::size_t pixel = static_cast<std::size_t>(v) * width + u;
-      const Window window = window_around(u, v, radius_px, width, height);
-      for (int y = window.top; y <= window.bottom; ++y) {
-        for (int x = window.left; x <= window.right; ++x) {
-          const int other = seen.surface[static_cast<std::size_t>(y) * width + x];
-          // Written so that a missing depth (NaN) counts as a jump.
-          const bool jumps = !(std::abs(seen.depth.at(x, y) - seen.depth.depth[pixel]) <= jump);
-          if (other != seen.surface[pixel] && jumps) beside[pixel] = true;
-        }
-      }
-    }
-  }
+  std::size_t pixel = 0;
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u, ++pixel)
+      beside[pixel] = jumps_within(seen, window_around(u, v, radius_px, width, height), pixel, jump);
   return beside;
 }
 

@@ -35,16 +35,22 @@ std::optional<Hit> hit(const Plane& plane, const Ray& ray) {
   return facing(ray, distance, plane.normal);
 }
 
-std::optional<Hit> hit(const Rectangle& patch, const Ray& ray) {
-  const auto found = hit(Plane{patch.corner, patch.side_u.cross(patch.side_v).normalized()}, ray);
-  if (!found) return std::nullopt;
-  const Vec3d from_corner = ray.origin + found->distance * ray.direction - patch.corner;
-  const double a = from_corner.dot(patch.side_u) / patch.side_u.squaredNorm();
-  const double b = from_corner.dot(patch.side_v) / patch.side_v.squaredNorm();
-  // A hair's breadth more on each side, so that no ray slips through where two patches meet.
+// Whether a place lies between 0 and the side's length along it. A hair's breadth more, so that no ray slips through
+// where two patches meet.
+bool is_along(const Vec3d& side, const Vec3d& from_corner) {
   constexpr double kSlack = 1e-12;
-  const bool inside = a >= -kSlack && a <= 1.0 + kSlack && b >= -kSlack && b <= 1.0 + kSlack;
-  return inside ? found : std::nullopt;
+  const double length_sq = side.squaredNorm(), along = from_corner.dot(side);
+  return along >= -kSlack * length_sq && along <= (1.0 + kSlack) * length_sq;
+}
+
+std::optional<Hit> hit(const Rectangle& patch, const Ray& ray) {
+  const double slope = patch.across.dot(ray.direction), ahead = patch.across.dot(patch.corner - ray.origin);
+  if (slope == 0.0 || (slope < 0.0) != (ahead < 0.0)) return std::nullopt;
+  const double distance = ahead / slope;
+  if (!(distance > kMinDistance)) return std::nullopt;
+  const Vec3d from_corner = ray.origin + distance * ray.direction - patch.corner;
+  if (!is_along(patch.side_u, from_corner) || !is_along(patch.side_v, from_corner)) return std::nullopt;
+  return facing(ray, distance, patch.across.normalized());
 }
 
 std::optional<Hit> hit(const Sphere& sphere, const Ray& ray) {

@@ -20,6 +20,7 @@ struct Rectangle {
   Vec3d corner;
   Vec3d side_u;
   Vec3d side_v;
+  Vec3d across = side_u.cross(side_v);  // follows from the sides; of any length
 };
 
 struct Sphere {
