@@ -66,6 +66,23 @@ double relative_difference(const Matrix& a, const Matrix& b) {
 // A unit direction in float is one only to 1e-7: what the fast way makes of it differs as much.
 constexpr double kFloat = 2e-6;
 
+// Points are read in runs, and behind the last pair there may be others, whose squares overflow.
+TEST(Linearize, PointsOfNoPairDoNotMatter) {
+  TwoClouds two = random_pairs(0, 31);
+  for (std::uint32_t k = 0; k < 10; ++k) two.pairs.push_back({k, k});
+  const Rigid3 pose = some_poses()[2];
+  const Objective objective{augmented_information()};
+  const NormalEquations expected = linearize(two, pose, objective);
+  for (std::size_t k = 10; k < two.source.size(); ++k) {
+    two.source.points[k] = Vec3f::Constant(2e38f);
+    two.target.points[k] = Vec3f::Constant(-2e38f);
+  }
+  const NormalEquations found = linearize(two, pose, objective);
+  EXPECT_EQ(found.H, expected.H);
+  EXPECT_EQ(found.b, expected.b);
+  EXPECT_EQ(found.cost, expected.cost);
+}
+
 TEST(Linearize, CostIsThePlainOne) {
   const TwoClouds two = random_pairs(200, 1);
   for (const auto& [name, model] : kModels)
@@ -316,7 +333,8 @@ TEST(Linearize, LossAndItsSlopeAreContinuousAtTheKernel) {
   EXPECT_NE(below.cost, above.cost);
 }
 
-// Far beyond what a float holds: information has a unit of its own, and a kernel is never nearer to zero than chi2 can bear.
+// Far beyond what a float holds: information has a unit of its own, and a kernel is never nearer to zero than chi2 can
+// bear.
 TEST(Linearize, NumbersOutOfTheRangeOfFloatAreHeld) {
   for (double scale : {1e-60, 1e-39, 1e39, 1e300}) {
     const InformationModel model{{{scale, scale}, {}}, {{scale, scale}, {}}, {{scale, scale}, {}}};
@@ -344,7 +362,8 @@ TEST(Linearize, ChiSquareOfPairsAddsUpToTheCost) {
 }
 
 TEST(Linearize, EveryPairCountsWhateverTheirNumber) {
-  for (std::size_t num_pairs : {std::size_t{1}, kLightBlockSize - 1, kLightBlockSize, kLightBlockSize + 1, 3 * kLightBlockSize + 1}) {
+  for (std::size_t num_pairs :
+       {std::size_t{1}, kLightBlockSize - 1, kLightBlockSize, kLightBlockSize + 1, 3 * kLightBlockSize + 1}) {
     TwoClouds two = random_pairs(num_pairs, 15);
     two.target.weights.clear();
     const NormalEquations equations = linearize(two, Rigid3{}, {point_information()}, 3);

@@ -38,7 +38,8 @@ AUGICP_VECTORIZED void weigh_batch(const PairModel& __restrict model, PairBatch&
   for (int k = 0; k < kPairsPerBatch; ++k) {
     const std::int32_t structure = b.structure[k];
     // Where the structures differ the linear error has no meaning: Omega^l = 0.
-    b.compares[k] = (structure != kNone) & (structure == b.source_structure[k]) ? 1.0f : 0.0f;
+    const bool is_alike = (structure != kNone) & (structure == b.source_structure[k]);
+    b.compares[k] = is_alike ? 1.0f : 0.0f;
     const float weight = b.weight[k], compared = b.compares[k] * weight;
     b.along[k] = weight * along.of(structure);
     b.across[k] = weight * across.of(structure);
@@ -73,6 +74,14 @@ PairModel pair_model(const Rigid3& pose, const InformationModel& information, do
   return model;
 }
 
+// Runs are read in whole units: behind the last pair there may be any points. Zero times what they overflow to would
+// not be zero.
+void clear_behind(std::size_t count, PairBatch& batch) {
+  for (auto* vectors : {&batch.source_point, &batch.source_direction, &batch.target_point, &batch.target_direction})
+    for (auto& column : *vectors) std::fill(column + count, column + kPairsPerBatch, 0.0f);
+  std::fill(batch.weight + count, batch.weight + kPairsPerBatch, 0.0f);
+}
+
 }  // namespace
 
 PairReader::PairReader(const Cloud& source, const Cloud& target, const Rigid3& target_from_source,
@@ -92,7 +101,6 @@ void PairReader::read(std::span<const Correspondence> pairs, PairBatch& batch) c
     std::fill_n(batch.weight, pairs.size(), 1.0f);
   else
     gather(target_.weights, of_target, batch.weight);
-  std::fill(batch.weight + pairs.size(), batch.weight + kPairsPerBatch, 0.0f);
   if (target_.has_directions()) {
     gather(target_.directions, of_target, batch.target_direction);
     gather(target_.structures, of_target, batch.structure);
@@ -101,6 +109,7 @@ void PairReader::read(std::span<const Correspondence> pairs, PairBatch& batch) c
     gather(source_.directions, of_source, batch.source_direction);
     gather(source_.structures, of_source, batch.source_structure);
   }
+  clear_behind(pairs.size(), batch);
   move_batch(model_, batch);
   weigh_batch(model_, batch);
 }
