@@ -28,7 +28,7 @@ AUGICP_VECTORIZED void split(const Correspondence* __restrict pairs, std::size_t
 // Calls copy(first index, place of the first entry, how many) for parts of all runs: of whole units where that reads
 // nothing behind the end of what is read, else of single entries.
 template <typename Copy>
-[[gnu::always_inline]] inline void for_each_part(const IndexRuns& runs, std::size_t size, const Copy& copy) {
+AUGICP_INLINE void for_each_part(const IndexRuns& runs, std::size_t size, const Copy& copy) {
   for (std::size_t r = 0; r < runs.num_runs; ++r) {
     const std::size_t at = runs.begin[r], length = runs.begin[r + 1] - at, first = runs.index[at];
     const std::size_t units = (length + kGatherUnit - 1) / kGatherUnit;

@@ -2,10 +2,9 @@
 // Vectors for the few loops that compilers do not vectorize by themselves.
 #pragma once
 
-namespace augicp {
+#include "augicp/core/vectorized.h"
 
-// Inlined into functions that are compiled for several instruction sets, so that it is compiled for each of them too.
-#define AUGICP_INLINE [[gnu::always_inline]] inline
+namespace augicp {
 
 // So many bytes at a time; where a machine has no such vectors they make several of
 // them. Vectors are never passed by value.

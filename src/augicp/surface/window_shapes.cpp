@@ -8,6 +8,9 @@
 namespace augicp {
 namespace {
 
+// Of products of numbers of about 1.
+constexpr float kRounding = 1e-6f;
+
 constexpr auto kNone = static_cast<std::int32_t>(Structure::None),
                kPlanar = static_cast<std::int32_t>(Structure::Planar),
                kEdge = static_cast<std::int32_t>(Structure::Edge);
@@ -23,9 +26,7 @@ AUGICP_VECTORIZED void lines_and_normals(const WindowBatch& windows, const Eigen
   }
 }
 
-// Inlined into functions that are compiled for several instruction sets.
-[[gnu::always_inline]] inline void write(const VectorBatch& vectors, const BatchArray& weights, int count,
-                                         Direction* directions) {
+AUGICP_INLINE void write(const VectorBatch& vectors, const BatchArray& weights, int count, Direction* directions) {
   for (int k = 0; k < count; ++k) directions[k] = {{vectors.x[k], vectors.y[k], vectors.z[k]}, weights[k]};
 }
 
@@ -59,8 +60,8 @@ AUGICP_VECTORIZED void write_shapes(const StructureBatch& structures, const Vect
   StructureBatch found;
   for (int k = 0; k < kBatch; ++k) {
     const float x = directions.x[k], y = directions.y[k], z = directions.z[k];
-    const bool is_zero = (x == 0.0f) & (y == 0.0f) & (z == 0.0f);
-    found[k] = is_zero ? kNone : structures[k];
+    const bool is_unit = x * x + y * y + z * z > 0.5f;  // else zero, or not a number where sums overflowed
+    found[k] = is_unit ? structures[k] : kNone;
     kept.x[k] = found[k] == kNone ? 0.0f : x;
     kept.y[k] = found[k] == kNone ? 0.0f : y;
     kept.z[k] = found[k] == kNone ? 0.0f : z;
@@ -70,18 +71,18 @@ AUGICP_VECTORIZED void write_shapes(const StructureBatch& structures, const Vect
   for (int k = 0; k < count; ++k) structures_of_pixels[k] = static_cast<Structure>(found[k]);
 }
 
-// Eigenvalues sum to 1, so that l1 (1 - l1) <= l1 (l0 + l2) + l0 l2, which is half of 1 less the sum of their squares;
-// and the left side grows with l1, which is at most 1/2.
+// Of eigenvalues that sum to t, l1 (t - l1) <= l1 (l0 + l2) + l0 l2, which is half of t^2 less the sum of their
+// squares; and the left side grows with l1, which is at most t / 2. t is 1 but for the rounding of prefix sums.
 AUGICP_VECTORIZED bool may_spread(const WindowBatch& normals, const ShapeThresholds& thresholds) {
   const auto least = static_cast<float>(std::min(thresholds.min_crease, thresholds.clear_crease));
-  const float least_product = 2.0f * least * (1.0f - least);
   const SymmetricBatch& m = normals.matrix;
   std::int32_t any = 0;
   for (int k = 0; k < kBatch; ++k) {
     const float trace = m.xx[k] + m.yy[k] + m.zz[k];
     const float squares = m.xx[k] * m.xx[k] + m.yy[k] * m.yy[k] + m.zz[k] * m.zz[k] +
                           2.0f * (m.xy[k] * m.xy[k] + m.xz[k] * m.xz[k] + m.yz[k] * m.yz[k]);
-    any |= trace - squares >= least_product ? 1 : 0;
+    const bool is_wide = trace * trace - squares >= 2.0f * least * (trace - least) - kRounding;
+    any |= ((trace > least) & is_wide) ? 1 : 0;
   }
   return any != 0;
 }

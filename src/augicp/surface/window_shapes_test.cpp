@@ -38,6 +38,17 @@ TEST(WindowShapes, NoSpreadIsOverlooked) {
   }
 }
 
+// Sums far down an image are rounded, so that eigenvalues may sum to a little more or less than 1.
+TEST(WindowShapes, NoSpreadIsOverlookedWhereTheTraceIsRounded) {
+  std::mt19937 generator(4);
+  const ShapeThresholds thresholds;
+  for (const double trace : {0.95, 0.98, 1.02, 1.05}) {
+    const double across = 1.001 * thresholds.min_crease, below = 0.99 * thresholds.min_crease;
+    EXPECT_TRUE(may_spread(normals_with(generator, {0.0, across, trace - across}), thresholds)) << trace;
+    EXPECT_FALSE(may_spread(normals_with(generator, {0.0, below, trace - below}), thresholds)) << trace;
+  }
+}
+
 // Where normals spread one way only, as they do beside a crease, the bound is exact; two ways it is up to twice too
 // high.
 TEST(WindowShapes, AlikeNormalsDoNotSpread) {
@@ -55,7 +66,8 @@ struct Found {
   bool any;
 };
 
-Found spreads_of(const Vec3d& eigenvalues_of_normals, Structure before, float num_normals) {
+Found spreads_of(const Vec3d& eigenvalues_of_normals, Structure before, float num_normals,
+                 const ShapeThresholds& thresholds = {}) {
   std::mt19937 generator(3);
   WindowBatch windows = normals_with(generator, eigenvalues_of_normals);
   std::fill_n(windows.weight, kBatch, num_normals);
@@ -65,7 +77,7 @@ Found spreads_of(const Vec3d& eigenvalues_of_normals, Structure before, float nu
   eigenvectors(windows.matrix, values.l0, tangents);
   Found found;
   std::fill_n(found.structures, kBatch, before);
-  found.any = write_spreads(windows, values, tangents, {}, kBatch, found.spreads, found.structures);
+  found.any = write_spreads(windows, values, tangents, thresholds, kBatch, found.spreads, found.structures);
   return found;
 }
 
@@ -79,6 +91,20 @@ TEST(WindowShapes, CreasesKeepTheirTangentAndCornersLoseTheirStructure) {
   EXPECT_FALSE(corner.any);
   EXPECT_EQ(corner.spreads[5].weight, 0.0f);
   EXPECT_EQ(corner.structures[5], Structure::None);
+}
+
+// The middle of a crease may be asked for less than its sides: it has a spread, but only sides begin a search for
+// creases, and only they lose a structure.
+TEST(WindowShapes, WhatIsClearButNotWideIsKept) {
+  ShapeThresholds thresholds;
+  thresholds.min_crease = 0.3;
+  const Found crease = spreads_of({0.0, 0.2, 0.8}, Structure::Planar, 8.0f, thresholds);
+  EXPECT_FALSE(crease.any);
+  EXPECT_NEAR(crease.spreads[5].weight, 0.2f, 1e-5f);
+  const Found corner = spreads_of({0.1, 0.2, 0.7}, Structure::Planar, 8.0f, thresholds);
+  EXPECT_EQ(corner.structures[5], Structure::Planar);
+  std::mt19937 generator(5);
+  EXPECT_TRUE(may_spread(normals_with(generator, {0.0, 0.2, 0.8}), thresholds));
 }
 
 TEST(WindowShapes, LinesAndFewNormalsHaveNoSpread) {
@@ -101,9 +127,10 @@ TEST(WindowShapes, WhatHasNoStructureHasNoDirection) {
   structures[1] = static_cast<std::int32_t>(Structure::Planar), directions.x[1] = 0.0f, directions.z[1] = -1.0f;
   structures[2] = static_cast<std::int32_t>(Structure::Edge), directions.x[2] = 0.0f, directions.y[2] = 1.0f;
   structures[3] = static_cast<std::int32_t>(Structure::Planar), directions.x[3] = 0.0f;  // no direction
+  structures[4] = static_cast<std::int32_t>(Structure::Edge);                            // sums that overflowed
   Direction shapes[kBatch];
   Structure found[kBatch];
-  write_shapes(structures, directions, 4, shapes, found);
+  write_shapes(structures, directions, 5, shapes, found);
   const auto expect = [&](int k, Structure structure, const Vec3f& direction, float weight) {
     EXPECT_EQ(found[k], structure) << k;
     EXPECT_EQ(Vec3f(shapes[k].xyz), direction) << k;
@@ -113,6 +140,7 @@ TEST(WindowShapes, WhatHasNoStructureHasNoDirection) {
   expect(1, Structure::Planar, -Vec3f::UnitZ(), 1.0f);
   expect(2, Structure::Edge, Vec3f::UnitY(), 0.0f);
   expect(3, Structure::None, Vec3f::Zero(), 0.0f);
+  expect(4, Structure::None, Vec3f::Zero(), 0.0f);
 }
 
 }  // namespace
