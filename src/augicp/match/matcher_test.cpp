@@ -174,6 +174,36 @@ TEST(ProjectiveMatcher, PairsOfPointsSideBySideAreThoseOfALoopOverPixels) {
   }
 }
 
+// What a camera sees of a wall, without directions: a point in every pixel but those left out.
+OrganizedCloud wall_without(float depth, const std::vector<int>& pixels) {
+  DepthImage image{kCamera.width, kCamera.height, std::vector<float>(kCamera.width * kCamera.height, depth)};
+  for (const int pixel : pixels) image.depth[pixel] = std::nanf("");
+  OrganizedCloud seen = unproject(image, kCamera);
+  seen.cloud.directions.assign(seen.cloud.size(), Vec3f::Zero());
+  seen.cloud.structures.assign(seen.cloud.size(), Structure::None);
+  return seen;
+}
+
+TEST(ProjectiveMatcher, HolesOfOneImageAloneMakeNoPairs) {
+  const OrganizedCloud whole = wall_without(1.0f, {}), holes = wall_without(1.0f, {0, 70, 71, 700, 3071});
+  for (const auto& [source, target] : {std::pair{whole, holes}, {holes, whole}, {holes, holes}}) {
+    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source.cloud, Rigid3{}, Gates{}, 1);
+    EXPECT_EQ(pairs, projective_slowly(source.cloud, target, Rigid3{}, Gates{}));
+    EXPECT_EQ(pairs.size(), holes.cloud.size());
+  }
+}
+
+TEST(ProjectiveMatcher, TheDistanceGateIsWhereItIsSaidToBe) {
+  const OrganizedCloud source = wall_without(1.0f, {}), target = wall_without(1.25f, {});
+  const ProjectiveMatcher matcher(target.cloud, target.index, kCamera);
+  const double farthest = 0.25 * std::hypot(31.5 / 50.0, 23.5 / 60.0, 1.0);  // in the image's corners
+  Gates gates;
+  gates.max_distance = 1.0001 * farthest;
+  EXPECT_EQ(matcher.match(source.cloud, Rigid3{}, gates, 1).size(), target.cloud.size());
+  gates.max_distance = 0.9999 * farthest;
+  EXPECT_EQ(matcher.match(source.cloud, Rigid3{}, gates, 1).size(), target.cloud.size() - 4);
+}
+
 // More pixels than one block holds: what the blocks find is put together without gaps.
 TEST(ProjectiveMatcher, BlocksOfPixelsJoin) {
   const Pinhole camera{200.0, 200.0, 109.5, 89.5, 220, 180};

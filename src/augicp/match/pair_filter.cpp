@@ -56,7 +56,7 @@ AUGICP_VECTORIZED void test_directions(const GateNumbers& __restrict gates, Cand
     const bool both = (of_source != kNone) & (of_target != kNone), alike = of_source == of_target;
     const bool is_unlike = (same_structure != 0) & both & !alike;
     const bool is_turned = (compares_angles != 0) & both & alike & !(likeness >= gates.min_cosine);
-    c.passes[k] &= is_unlike | is_turned ? 0 : 1;
+    c.passes[k] &= (is_unlike | is_turned) ? 0 : 1;
   }
 }
 
@@ -110,7 +110,7 @@ void PairFilter::append_passing(const IndexRuns& sources, const IndexRuns& targe
   GateNumbers gates{{}, {}, max_distance_sq_, min_cosine_, compares_angles_, same_structure_, signed_normals_};
   for (int i = 0; i < 9; ++i) gates.rotation[i] = rotation_(i / 3, i % 3);
   for (int i = 0; i < 3; ++i) gates.translation[i] = translation_[i];
-  Candidates candidates;
+  Candidates candidates{};  // entries behind the last pair are computed with, too
   gather(source_.points, sources, candidates.source_point);
   gather(target_.points, targets, candidates.target_point);
   test_distances(gates, candidates);

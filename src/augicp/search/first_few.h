@@ -16,14 +16,15 @@ namespace augicp {
 // A squared distance and, below it, an index as one number: of two points the nearer one has the lower, of two equally
 // near ones that with the lower index. The bits of floats that are not negative are ordered as they are.
 using Rank = std::int64_t;
-inline Rank rank_of(float distance_sq, std::uint32_t index) {
+constexpr Rank rank_of(float distance_sq, std::uint32_t index) {
   return Rank{std::bit_cast<std::int32_t>(distance_sq)} << 32 | index;
 }
-inline std::uint32_t index_of(Rank rank) { return static_cast<std::uint32_t>(rank); }
-inline float distance_sq_of(Rank rank) { return std::bit_cast<float>(static_cast<std::int32_t>(rank >> 32)); }
+constexpr std::uint32_t index_of(Rank rank) { return static_cast<std::uint32_t>(rank); }
+constexpr float distance_sq_of(Rank rank) { return std::bit_cast<float>(static_cast<std::int32_t>(rank >> 32)); }
 
 // Where there is no point: above those of all points.
-inline const Rank kMissing = rank_of(std::numeric_limits<float>::infinity(), std::numeric_limits<std::uint32_t>::max());
+inline constexpr Rank kMissing =
+    rank_of(std::numeric_limits<float>::infinity(), std::numeric_limits<std::uint32_t>::max());
 
 // The lowest ranks of those that were added. They are collected as they come, and sorted when many have gathered, by
 // comparing each with each: an insertion into a sorted list costs more, for the processor cannot guess where it will
