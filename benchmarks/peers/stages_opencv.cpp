@@ -69,19 +69,8 @@ BENCHMARK_CAPTURE(normals_opencv, sri, cv::rgbd::RgbdNormals::RGBD_NORMALS_METHO
 
 // From depth to pose, the target being ready.
 void frame_augicp(benchmark::State& state) {
-  const int step = static_cast<int>(state.range(0));
-  RegistrationOptions options = iterations_alone();
-  options.num_threads = 1;
-  options.max_iterations = 10;
-  options.min_step = 0.0;
-  options.covariance = false;
-  const DepthImage seen = image(3, step);
-  const Pinhole pinhole = thinned(camera().pinhole, step);
-  const Scan target = extended(0, step);
-  const Lengths lengths = derive_lengths(target, target);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(
-        register_prepared(prepare(scan_of(seen, pinhole), lengths, options), target, {}, lengths, options));
+  const NewFrame frame(static_cast<int>(state.range(0)), 1);
+  for (auto _ : state) benchmark::DoNotOptimize(frame.registered());
 }
 BENCHMARK(frame_augicp)->ArgName("step")->Arg(4)->Arg(2)->Arg(1)->Unit(kMs);
 

@@ -37,6 +37,22 @@ Scan extended(std::size_t frame, int step) {
   return scan;
 }
 
+NewFrame::NewFrame(int step, int num_threads)
+    : options_(iterations_alone()),
+      seen_(image(3, step)),
+      pinhole_(thinned(camera().pinhole, step)),
+      target_(extended(0, step)),
+      lengths_(derive_lengths(target_, target_)) {
+  options_.num_threads = num_threads;
+  options_.max_iterations = 10;
+  options_.min_step = 0.0;
+  options_.covariance = false;  // as in odometry, and as peers have none
+}
+
+AlignResult NewFrame::registered() const {
+  return register_prepared(prepare(scan_of(seen_, pinhole_), lengths_, options_), target_, {}, lengths_, options_);
+}
+
 Cloud cloud_of(std::size_t count) {
   Cloud cloud;
   for (std::size_t frame = 0; cloud.size() < count; ++frame) {

@@ -26,12 +26,27 @@ OrganizedCloud points(std::size_t frame, int step = 1);
 // With directions and structures.
 Scan extended(std::size_t frame, int step = 1);
 
+// A new image to extended points, and ten iterations of it to the frame before, which is ready.
+class NewFrame {
+ public:
+  NewFrame(int step, int num_threads);
+  AlignResult registered() const;
+
+ private:
+  RegistrationOptions options_;
+  DepthImage seen_;
+  Pinhole pinhole_;
+  Scan target_;
+  Lengths lengths_;
+};
+
 // This many points of the first frames, each moved a little, so that no two are alike.
 Cloud cloud_of(std::size_t count);
 
 // Stages that take a number of threads are measured twice: in processor time on one, which does not mind what else the
-// machine does, and in wall time on two. Items a second, and how near the stage is to what the machine allows: 1 would be as fast as memory and arithmetic can
-// be. Bytes are those that must be read and written once, operations those of the formulas; see docs/performance.md.
+// machine does, and in wall time on two. Items a second, and how near the stage is to what the machine allows: 1 would
+// be as fast as memory and arithmetic can be. Bytes are those that must be read and written once, operations those of
+// the formulas; see docs/performance.md.
 struct Work {
   double items = 0.0;
   double bytes = 0.0;

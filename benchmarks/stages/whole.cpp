@@ -10,26 +10,9 @@ namespace {
 
 constexpr auto kMs = benchmark::kMillisecond;
 
-RegistrationOptions options_with(int num_threads, int max_iterations) {
-  RegistrationOptions options = iterations_alone();
-  options.num_threads = num_threads;
-  options.max_iterations = max_iterations;
-  options.min_step = 0.0;
-  return options;
-}
-
-// A new image to extended points, and ten iterations to the frame before.
 void one_more_frame(benchmark::State& state) {
-  const int step = static_cast<int>(state.range(0));
-  RegistrationOptions options = options_with(static_cast<int>(state.range(1)), 10);
-  options.covariance = false;  // as in odometry, and as peers have none
-  const DepthImage seen = image(3, step);
-  const Pinhole pinhole = thinned(camera().pinhole, step);
-  const Scan target = extended(0, step);
-  const Lengths lengths = derive_lengths(target, target);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(
-        register_prepared(prepare(scan_of(seen, pinhole), lengths, options), target, {}, lengths, options));
+  const NewFrame frame(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  for (auto _ : state) benchmark::DoNotOptimize(frame.registered());
   set_counters(state, {.items = 1.0});
 }
 BENCHMARK(one_more_frame)->ArgNames({"step", "threads"})->ArgsProduct({{4, 2, 1}, {1}})->Unit(kMs);
