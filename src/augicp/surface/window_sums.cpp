@@ -64,14 +64,17 @@ AUGICP_INLINE void multiply_out(const Direction& direction, float least_weight, 
                   __builtin_shufflevector(d, one, 4, 0, 1, 2, 1, 2, 2, 5);
 }
 
-template <int kChannels, typename Number>
-AUGICP_INLINE void row_differences(const Number* prefix, const Span* spans, int count, Number* sums) {
-  Pixel<Number, kChannels> end, begin;
+template <typename Moments, typename Number = typename Moments::Number>
+AUGICP_INLINE void add_row_to(const Number* prefix, const Span* spans, int count, Number* sums) {
+  constexpr std::size_t kChannels = Moments::kChannels, kStride = kBatch * kChannels;
+  Pixel<Number, kChannels> sum, end, begin;
   for (int k = 0; k < count; ++k) {
     end.read(prefix + spans[k].end * kChannels);
     begin.read(prefix + spans[k].begin * kChannels);
     end.subtract(begin);
-    end.write(sums + k * kChannels);
+    sum.read(sums + k * kChannels);
+    sum.add(end);
+    sum.write(sums + kStride + k * kChannels);
   }
 }
 
@@ -137,12 +140,6 @@ AUGICP_INLINE void look_into(const Number* prefix, const Span* spans, WindowBatc
   }
 }
 
-template <typename Number>
-AUGICP_INLINE void add_numbers(const Number* __restrict before, const Number* __restrict numbers, int count,
-                               Number* __restrict sum) {
-  for (int k = 0; k < count; ++k) sum[k] = before[k] + numbers[k];
-}
-
 }  // namespace
 
 AUGICP_VECTORIZED void accumulate(const Vec3f* points, const std::int32_t* index, int count, double* prefix) {
@@ -166,18 +163,22 @@ AUGICP_VECTORIZED void accumulate(const Direction* directions, int count, float 
   }
 }
 
-AUGICP_VECTORIZED void differences(const double* prefix, const Span* spans, int count, double* sums, PointMoments) {
-  row_differences<PointMoments::kChannels>(prefix, spans, count, sums);
-}
-AUGICP_VECTORIZED void differences(const float* prefix, const Span* spans, int count, float* sums, DirectionMoments) {
-  row_differences<DirectionMoments::kChannels>(prefix, spans, count, sums);
+AUGICP_VECTORIZED Span around(const Span* spans, int count) {
+  constexpr std::uint16_t kNowhere = 0xffff;  // as an empty span's begin
+  std::uint16_t begin = kNowhere, end = 0;
+  for (int k = 0; k < count; ++k) {
+    const std::uint16_t first = spans[k].end == 0 ? kNowhere : spans[k].begin;
+    begin = first < begin ? first : begin;
+    end = spans[k].end > end ? spans[k].end : end;
+  }
+  return end == 0 ? Span{} : Span{begin, end};
 }
 
-AUGICP_VECTORIZED void add(const double* before, const double* numbers, int count, double* sum) {
-  add_numbers(before, numbers, count, sum);
+AUGICP_VECTORIZED void add_row(const double* prefix, const Span* spans, int count, double* sums, PointMoments) {
+  add_row_to<PointMoments>(prefix, spans, count, sums);
 }
-AUGICP_VECTORIZED void add(const float* before, const float* numbers, int count, float* sum) {
-  add_numbers(before, numbers, count, sum);
+AUGICP_VECTORIZED void add_row(const float* prefix, const Span* spans, int count, float* sums, DirectionMoments) {
+  add_row_to<DirectionMoments>(prefix, spans, count, sums);
 }
 
 AUGICP_VECTORIZED void look_into_windows(const double* prefix, const Span* spans, WindowBatch& windows, PointMoments) {

@@ -39,13 +39,12 @@ struct WindowBatch {
 void accumulate(const Vec3f* points, const std::int32_t* index, int count, double* prefix);
 void accumulate(const Direction* directions, int count, float least_weight, float* prefix);
 
-// Pixel k's sum is prefix[spans[k].end] - prefix[spans[k].begin].
-void differences(const double* prefix, const Span* spans, int count, double* sums, PointMoments);
-void differences(const float* prefix, const Span* spans, int count, float* sums, DirectionMoments);
+// From the first to the last pixel of any of these spans; empty where all are.
+Span around(const Span* spans, int count);
 
-// sum[k] = before[k] + numbers[k] for count numbers, the channels of whole pixels.
-void add(const double* before, const double* numbers, int count, double* sum);
-void add(const float* before, const float* numbers, int count, float* sum);
+// sums[stride + k] = sums[k] + prefix[spans[k].end] - prefix[spans[k].begin] for count pixels of a row of kBatch.
+void add_row(const double* prefix, const Span* spans, int count, double* sums, PointMoments);
+void add_row(const float* prefix, const Span* spans, int count, float* sums, DirectionMoments);
 
 // What lies between the rows of their spans for kBatch pixels side by side, each with its own column of prefix sums:
 // rows of kBatch pixels.

@@ -91,11 +91,12 @@ void WindowSurface::shapes_of(std::size_t v, std::size_t u, int count, const Win
 }
 
 void WindowSurface::find_shapes() {
-  const auto in_rows = sums_over_rows<PointMoments>(spans_, num_threads_, [&](std::size_t v, double* prefix) {
-    accumulate(cloud_.points.data(), &index_.index[v * width_], index_.width, prefix);
-  });
-  sum_over_columns(
-      spans_, in_rows, num_threads_, [](std::size_t, std::size_t) { return true; },
+  for_each_window<PointMoments>(
+      spans_, num_threads_,
+      [&](std::size_t v, Span part, double* prefix) {
+        accumulate(cloud_.points.data(), &index_.index[v * width_ + part.begin], part.end - part.begin, prefix);
+      },
+      [](std::size_t, std::size_t) { return true; },
       [&](std::size_t v, std::size_t u, int count, const WindowBatch& windows) { shapes_of(v, u, count, windows); });
 }
 
@@ -136,16 +137,16 @@ void WindowSurface::creases_of(std::size_t v, std::size_t u, int count, const Wi
 void WindowSurface::find_creases() {
   spreads_ = std::make_unique_for_overwrite<Direction[]>(index_.index.size());
   may_be_creases_.resize((width_ + kBatch - 1) / kBatch * height_);
-  const auto in_rows = [&](const Direction* directions, float least_weight) {
-    return sums_over_rows<DirectionMoments>(spans_, num_threads_, [&](std::size_t v, float* prefix) {
-      accumulate(&directions[v * width_], index_.width, least_weight, prefix);
-    });
+  const auto sums_of = [&](const Direction* directions, float least_weight) {
+    return [=, this](std::size_t v, Span part, float* prefix) {
+      accumulate(&directions[v * width_ + part.begin], part.end - part.begin, least_weight, prefix);
+    };
   };
-  sum_over_columns(
-      spans_, in_rows(directions_.get(), 0.0f), num_threads_, [](std::size_t, std::size_t) { return true; },
+  for_each_window<DirectionMoments>(
+      spans_, num_threads_, sums_of(directions_.get(), 0.0f), [](std::size_t, std::size_t) { return true; },
       [&](std::size_t v, std::size_t u, int count, const WindowBatch& windows) { spreads_of(v, u, count, windows); });
-  sum_over_columns(
-      spans_, in_rows(spreads_.get(), static_cast<float>(options_.thresholds.clear_crease)), num_threads_,
+  for_each_window<DirectionMoments>(
+      spans_, num_threads_, sums_of(spreads_.get(), static_cast<float>(options_.thresholds.clear_crease)),
       [&](std::size_t v, std::size_t u) { return may_be_creases(v, u) != 0; },
       [&](std::size_t v, std::size_t u, int count, const WindowBatch& windows) { creases_of(v, u, count, windows); });
 }
