@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "augicp/core/prefetch.h"
 #include "augicp/core/vectorized.h"
 
 namespace augicp {
@@ -13,6 +14,14 @@ namespace {
 constexpr std::size_t kMinMeanRun = 3;
 
 bool has_long_runs(const IndexRuns& runs) { return kMinMeanRun * runs.num_runs < runs.count; }
+
+// Where runs are long, what is read later mostly lies farther on in memory.
+template <typename Entry>
+void fetch_ahead(std::span<const Entry> entries, const IndexRuns& runs) {
+  constexpr std::size_t kEntriesAhead = 2048;  // the time of some thirty calls
+  const std::size_t first = runs.index[0] + kEntriesAhead;
+  if (first + kGatheredAtOnce <= entries.size()) prefetch(&entries[first], kGatheredAtOnce);
+}
 
 // starts[k]: does index[k] not follow index[k - 1]?
 AUGICP_VECTORIZED void mark_starts(const std::uint32_t* __restrict index, std::uint8_t* __restrict starts) {
@@ -90,21 +99,28 @@ void find_runs(std::span<const Correspondence> pairs, IndexRuns& of_source, Inde
 }
 
 void gather(std::span<const Vec3f> vectors, const IndexRuns& runs, Column<float> (&columns)[3]) {
-  if (has_long_runs(runs))
+  if (has_long_runs(runs)) {
+    fetch_ahead(vectors, runs);
     return gather_vectors(vectors.data()->data(), vectors.size(), runs, columns[0], columns[1], columns[2]);
+  }
   for (std::size_t k = 0; k < runs.count; ++k)
     for (int axis = 0; axis < 3; ++axis) columns[axis][k] = vectors[runs.index[k]][axis];
 }
 
 void gather(std::span<const float> numbers, const IndexRuns& runs, Column<float>& column) {
-  if (has_long_runs(runs)) return gather_numbers(numbers.data(), numbers.size(), runs, column);
+  if (has_long_runs(runs)) {
+    fetch_ahead(numbers, runs);
+    return gather_numbers(numbers.data(), numbers.size(), runs, column);
+  }
   for (std::size_t k = 0; k < runs.count; ++k) column[k] = numbers[runs.index[k]];
 }
 
 void gather(std::span<const Structure> structures, const IndexRuns& runs, Column<std::int32_t>& column) {
   static_assert(sizeof(Structure) == 1);
-  if (has_long_runs(runs))
+  if (has_long_runs(runs)) {
+    fetch_ahead(structures, runs);
     return gather_bytes(reinterpret_cast<const std::uint8_t*>(structures.data()), structures.size(), runs, column);
+  }
   for (std::size_t k = 0; k < runs.count; ++k) column[k] = static_cast<std::int32_t>(structures[runs.index[k]]);
 }
 

@@ -9,19 +9,17 @@
 #include <memory>
 
 #include "augicp/core/parallel.h"
+#include "augicp/core/prefetch.h"
 #include "augicp/surface/window_sums.h"
 
 namespace augicp {
 
-// Has count pixels from (u, v) on brought to the cache, of a row some rows farther down an image: a strip's rows lie
-// farther apart in an image than processors look ahead by themselves.
+// Brings count pixels from (u, v) on to the cache, of a row some rows farther down an image: a strip's rows lie farther
+// apart in an image than processors look ahead by themselves.
 template <typename Pixel>
 void fetch_ahead(const Pixel* image, std::size_t width, std::size_t height, std::size_t v, std::size_t u, int count) {
-  constexpr std::size_t kRowsAhead = 6, kLineBytes = 64;
-  if (v + kRowsAhead >= height) return;
-  const auto* const bytes = reinterpret_cast<const char*>(image + (v + kRowsAhead) * width + u);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count) * sizeof(Pixel); k += kLineBytes)
-    __builtin_prefetch(bytes + k);
+  constexpr std::size_t kRowsAhead = 6;
+  if (v + kRowsAhead < height) prefetch(image + (v + kRowsAhead) * width + u, static_cast<std::size_t>(count));
 }
 
 // Prefix sums down a strip of kBatch columns: row v has what lies in the spans of its pixels' rows above v. Sums along a
@@ -43,6 +41,7 @@ class StripSums {
   void add_up(std::size_t u, int count, const AccumulateRow& accumulate_row) {
     std::fill_n(sums_.get(), kStride, Number{0});
     for (std::size_t v = 0; v < to_size(spans_.height); ++v) {
+      fetch_ahead(spans_.in_row.data(), to_size(spans_.width), to_size(spans_.height), v, u, count);
       const Span* const in_row = &spans_.in_row[v * to_size(spans_.width) + u];
       const Span part = around(in_row, count);
       accumulate_row(v, part, &along_row_[part.begin * std::size_t{Moments::kChannels}]);
