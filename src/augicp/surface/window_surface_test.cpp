@@ -99,6 +99,24 @@ TEST(WindowSurface, EqualsThePlainWayAtBordersAndInSmallImages) {
   }
 }
 
+// Sums along rows are taken strip by strip of columns: where nothing is seen in some strips, or in some rows of a strip,
+// and in both beside what is seen.
+TEST(WindowSurface, EqualsThePlainWayAroundBlankPatches) {
+  Rendering seen = render(box_on_table(), kinect_like_camera(240));
+  add_depth_noise(seen.depth, kKinectSigmaAt1m, 2);
+  const auto blank = [&](int u0, int u1, int v0, int v1) {
+    for (int v = v0; v < v1; ++v)
+      std::fill_n(seen.depth.depth.begin() + v * seen.depth.width + u0, u1 - u0, std::nanf(""));
+  };
+  blank(20, 110, 30, 90);
+  blank(128, 160, 0, seen.depth.height);
+  blank(200, 201, 0, seen.depth.height);
+  blank(0, seen.depth.width, 140, 150);
+  const OrganizedCloud image = unproject(seen.depth, seen.camera);
+  const Differences found = differences(fast(image, 0.05), plain(image, 0.05), 0.1);
+  EXPECT_LE(static_cast<double>(found.structures + found.directions), 1e-3 * static_cast<double>(image.cloud.size()));
+}
+
 TEST(WindowSurface, KnowsNoSideWithoutAViewpoint) {
   OrganizedCloud seen = seen_in(wire(), 160, kKinectSigmaAt1m, 0.0);
   seen.cloud.viewpoint.reset();
