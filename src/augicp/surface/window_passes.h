@@ -33,13 +33,16 @@ class StripSums {
   explicit StripSums(const WindowSpans& spans)
       : spans_(spans),
         along_row_(std::make_unique_for_overwrite<Number[]>((to_size(spans.width) + 1) * Moments::kChannels)),
-        sums_(std::make_unique_for_overwrite<Number[]>((to_size(spans.height) + 1) * kStride)) {}
+        sums_(std::make_unique_for_overwrite<Number[]>((to_size(spans.height) + 1) * kStride)) {
+    // Empty spans begin and end at 0.
+    std::fill_n(along_row_.get(), Moments::kChannels, Number{0});
+    std::fill_n(sums_.get(), kStride, Number{0});
+  }
 
   // Of count columns from u on; the others stay zero. accumulate_row(v, part, prefix) calls accumulate() for a part of
   // row v.
   template <typename AccumulateRow>
   void add_up(std::size_t u, int count, const AccumulateRow& accumulate_row) {
-    std::fill_n(sums_.get(), kStride, Number{0});
     for (std::size_t v = 0; v < to_size(spans_.height); ++v) {
       fetch_ahead(spans_.in_row.data(), to_size(spans_.width), to_size(spans_.height), v, u, count);
       const Span* const in_row = &spans_.in_row[v * to_size(spans_.width) + u];
