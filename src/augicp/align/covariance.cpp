@@ -17,7 +17,7 @@ namespace augicp {
 namespace {
 
 // Cells are told apart by a hash: two that fall together are taken as one, which adds nothing on average.
-constexpr std::size_t kNumBuckets = 4096, kBucketsPerBlock = 256;
+constexpr std::size_t kNumBuckets = 4096;
 
 std::size_t bucket_of(const Vec3f& point, float cells_per_metre) {
   constexpr float kFarthest = 2e9f;  // that an integer holds
@@ -80,35 +80,21 @@ Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& sol
   return back.transpose() * along * back;
 }
 
-struct Products {
-  Mat6d sum = Mat6d::Zero();  // of g g^T
-  int num_cells = 0;
-  Products& operator+=(const Products& other) {
-    sum += other.sum;
-    num_cells += other.num_cells;
-    return *this;
-  }
-};
-
 // The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for that.
 std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution, double cell_size,
                                          int num_threads) {
   const Buckets buckets = in_buckets(target, solution.pairs, cell_size);
-  const std::span<const Correspondence> sorted(buckets.pairs);
-  const auto products_of = [&](std::size_t begin, std::size_t end) {
-    Products products;
-    for (std::size_t b = begin; b < end; ++b) {
-      const auto of_cell = sorted.subspan(buckets.begin[b], buckets.begin[b + 1] - buckets.begin[b]);
-      if (of_cell.empty()) continue;
-      const Vec6d g = linearize(source, target, of_cell, solution.target_from_source, solution.objective, 1).b;
-      products.sum += g * g.transpose();
-      ++products.num_cells;
-    }
-    return products;
-  };
-  const auto products = blocked_sum<Products>(kNumBuckets, num_threads, products_of, kBucketsPerBlock);
-  if (products.num_cells <= 6) return std::nullopt;
-  return static_cast<double>(products.num_cells) / static_cast<double>(products.num_cells - 6) * products.sum;
+  const std::vector<Vec6d> gradients = gradients_of_groups(source, target, buckets.pairs, buckets.begin,
+                                                           solution.target_from_source, solution.objective, num_threads);
+  Mat6d products = Mat6d::Zero();
+  int num_cells = 0;
+  for (std::size_t b = 0; b < kNumBuckets; ++b) {
+    if (buckets.begin[b] == buckets.begin[b + 1]) continue;
+    products += gradients[b] * gradients[b].transpose();
+    ++num_cells;
+  }
+  if (num_cells <= 6) return std::nullopt;
+  return static_cast<double>(num_cells) / static_cast<double>(num_cells - 6) * products;
 }
 
 }  // namespace

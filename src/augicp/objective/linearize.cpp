@@ -61,6 +61,18 @@ float in_float(double number, double least) {
   return static_cast<float>(std::clamp<double>(number, least, std::numeric_limits<float>::max()));
 }
 
+// Of an objective, in the reader's unit.
+struct Kernels {
+  float chi2, direction_chi2;
+};
+Kernels kernels_of(const Objective& objective, double unit) {
+  require(objective.kernel_chi2 > 0.0, "kernel_chi2", objective.kernel_chi2, "must be above 0");
+  require(objective.kernel_direction_chi2 > 0.0, "kernel_direction_chi2", objective.kernel_direction_chi2,
+          "must be above 0");
+  return {in_float(objective.kernel_chi2 / unit, kLeastKernel),
+          in_float(objective.kernel_direction_chi2 / unit, kLeastKernel)};
+}
+
 // Calls body(first pair, count, batch) for all pairs of [begin, end).
 template <typename Body>
 void for_each_batch(const PairReader& reader, std::span<const Correspondence> pairs, std::size_t begin, std::size_t end,
@@ -77,18 +89,14 @@ void for_each_batch(const PairReader& reader, std::span<const Correspondence> pa
 
 NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                           const Rigid3& target_from_source, const Objective& objective, int num_threads) {
-  require(objective.kernel_chi2 > 0.0, "kernel_chi2", objective.kernel_chi2, "must be above 0");
-  require(objective.kernel_direction_chi2 > 0.0, "kernel_direction_chi2", objective.kernel_direction_chi2,
-          "must be above 0");
   const PairReader reader(source, target, target_from_source, objective.information);
   const double unit = reader.information_unit();
-  const float kernel_chi2 = in_float(objective.kernel_chi2 / unit, kLeastKernel),
-              kernel_direction_chi2 = in_float(objective.kernel_direction_chi2 / unit, kLeastKernel);
+  const Kernels kernels = kernels_of(objective, unit);
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     BlockSums block;
     PairTerms terms;
     for_each_batch(reader, pairs, begin, end, [&](std::size_t, std::size_t, const PairBatch& batch) {
-      terms_of(batch, kernel_chi2, kernel_direction_chi2, terms);
+      terms_of(batch, kernels.chi2, kernels.direction_chi2, terms);
       block.add(terms);
     });
     return block;
@@ -99,6 +107,36 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
   if (objective.intensity.information > 0.0)
     equations += linearize_intensity(source, target, pairs, target_from_source, objective.intensity, num_threads);
   return equations;
+}
+
+std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                                       std::span<const std::size_t> begin, const Rigid3& target_from_source,
+                                       const Objective& objective, int num_threads) {
+  const PairReader reader(source, target, target_from_source, objective.information);
+  const double unit = reader.information_unit();
+  const Kernels kernels = kernels_of(objective, unit);
+  std::vector<Vec6d> gradients(begin.size() - 1, Vec6d::Zero());
+  const auto add_up = [&](std::size_t first_group, std::size_t end_group) {
+    PairTerms terms;
+    std::size_t group = first_group;
+    const auto add = [&](std::size_t first, std::size_t count, const PairBatch& batch) {
+      terms_of(batch, kernels.chi2, kernels.direction_chi2, terms);
+      for (std::size_t k = 0; k < count; ++k) {
+        while (first + k >= begin[group + 1]) ++group;
+        for (int row = 0; row < 6; ++row)
+          gradients[group][row] += unit * static_cast<double>(terms.term[PairTerms::kBt + row][k]);
+      }
+    };
+    for_each_batch(reader, pairs, begin[first_group], begin[end_group], add);
+    if (!(objective.intensity.information > 0.0)) return;
+    for (group = first_group; group < end_group; ++group) {
+      const auto of_group = pairs.subspan(begin[group], begin[group + 1] - begin[group]);
+      gradients[group] += linearize_intensity(source, target, of_group, target_from_source, objective.intensity, 1).b;
+    }
+  };
+  constexpr std::size_t kGroupsPerBlock = 256;
+  for_each_block(gradients.size(), num_threads, add_up, kGroupsPerBlock);
+  return gradients;
 }
 
 PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,

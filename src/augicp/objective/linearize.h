@@ -35,6 +35,12 @@ struct Objective {
 NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                           const Rigid3& target_from_source, const Objective& objective, int num_threads);
 
+// b of groups of pairs, each as linearize() has it but for the last digits: those of pairs[begin[g]], ..., pairs[begin[g + 1] - 1].
+// begin ascends from the first group's to the end of the last.
+std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
+                                       std::span<const std::size_t> begin, const Rigid3& target_from_source,
+                                       const Objective& objective, int num_threads);
+
 // The two parts of chi2 = e^T Omega e of every pair, before the robust weight. The direction's is negative where it is
 // not compared.
 struct PairChi2 {
