@@ -165,9 +165,10 @@ AlignResult run(const Cloud& source, const Matcher& matcher, const Rigid3& initi
   Pass pass;
   pass.gates = options.gates;
   std::vector<Rigid3> visited;
+  const std::unique_ptr<Matching> matching = matcher.matching(source);
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
     throw_if_stopped(options.stop);
-    pass.pairs = matcher.match(source, pose, pass.gates, options.num_threads);
+    pass.pairs = matching->match(pose, pass.gates, options.num_threads);
     result.num_pairs = static_cast<std::int64_t>(pass.pairs.size());
     if (!has_enough_pairs(source, target, result)) break;
     linearize_pass(source, target, pose, options, pass);

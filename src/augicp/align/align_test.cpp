@@ -357,6 +357,7 @@ class StoppingMatcher : public NearestMatcher {
     if (++*num_calls == 3) std::thread([this] { stop->request_stop(); }).join();
     return NearestMatcher::match(source, pose, gates, num_threads);
   }
+  std::unique_ptr<Matching> matching(const Cloud& source) const override { return Matcher::matching(source); }
 
   std::shared_ptr<int> num_calls = std::make_shared<int>(0);
   std::shared_ptr<std::stop_source> stop = std::make_shared<std::stop_source>();

@@ -61,19 +61,18 @@ constexpr double kStepPerLength = 0.05;
 Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, const Mat6d& directions, double step,
                 int num_threads) {
   const Cloud asked = evenly_chosen(source, kNumAsked);
+  const std::unique_ptr<Matching> matching = matcher.matching(asked);
+  matching->match(solution.target_from_source, solution.gates, num_threads);  // all others are near
   const auto gradient = [&](const Vec6d& increment) -> Vec6d {
     const Rigid3 pose = retract(solution.target_from_source, increment);
-    const auto pairs = matcher.match(asked, pose, solution.gates, 1);
-    return linearize(asked, matcher.target(), pairs, pose, solution.objective, 1).b;
+    const auto pairs = matching->match(pose, solution.gates, num_threads);
+    return linearize(asked, matcher.target(), pairs, pose, solution.objective, num_threads).b;
   };
-  std::array<Vec6d, 12> gradients;  // ahead and behind by turns
-  const auto find_gradient = [&](std::size_t k, std::size_t) {
-    gradients[k] = gradient((k % 2 == 0 ? step : -step) * directions.col(static_cast<Eigen::Index>(k / 2)));
-  };
-  for_each_block(gradients.size(), num_threads, find_gradient, 1);
   Mat6d changes;
-  for (std::size_t k = 0; k < 6; ++k)
-    changes.col(static_cast<Eigen::Index>(k)) = (gradients[2 * k] - gradients[2 * k + 1]) / (2.0 * step);
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    const Vec6d ahead = step * directions.col(k);
+    changes.col(k) = (gradient(ahead) - gradient(-ahead)) / (2.0 * step);
+  }
   const double points_per_asked = static_cast<double>(source.size()) / static_cast<double>(asked.size());
   const Mat6d along = 0.5 * points_per_asked * (directions.transpose() * changes + changes.transpose() * directions);
   const Mat6d back = directions.inverse();

@@ -12,6 +12,16 @@
 
 namespace augicp {
 
+// Guesses the pairs of one source under one pose after the other, and may remember from each what makes the next one faster:
+// what it finds does not depend on what was asked before. For one thread at a time.
+class Matching {
+ public:
+  virtual ~Matching() = default;
+
+  // See Matcher::match().
+  virtual std::vector<Correspondence> match(const Rigid3& target_from_source, const Gates& gates, int num_threads) = 0;
+};
+
 // Guesses pairs under a pose; made for one target, which must outlive it. Const calls may run concurrently.
 class Matcher {
  public:
@@ -23,6 +33,9 @@ class Matcher {
   // their origins.
   virtual std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source,
                                             const Gates& gates, int num_threads) const = 0;
+
+  // For one pose after the other. The matcher and the source must outlive it. Unless overridden, it calls match() for each.
+  virtual std::unique_ptr<Matching> matching(const Cloud& source) const;
 
   // What the target says of the source under a pose, whatever pairs there are. The same for any number of threads.
   virtual Agreement agreement(const Cloud& source, const Rigid3& target_from_source,
@@ -36,6 +49,7 @@ class NearestMatcher : public Matcher {
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
+  std::unique_ptr<Matching> matching(const Cloud& source) const override;
 
   // What lies farther than some tolerances from every target point is unseen: a cloud does not say what was free.
   Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,

@@ -3,8 +3,50 @@
 #include "augicp/match/agreement_count.h"
 #include "augicp/match/matcher.h"
 #include "augicp/match/pair_filter.h"
+#include "augicp/search/nearest_memory.h"
 
 namespace augicp {
+namespace {
+
+// find(j, place): the target point nearest to source point j, which the pose moves to that place. Each block has a copy, which may
+// remember what it found for the point before: neighbours in memory mostly are neighbours in space.
+template <typename Find>
+std::vector<Correspondence> match_nearest(const Cloud& source, const PairFilter& filter, int num_threads, const Find& find) {
+  std::vector<std::vector<Correspondence>> of_block((source.size() + kBlockSize - 1) / kBlockSize);
+  for_each_block(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    Find find_in_block = find;
+    for (auto j = static_cast<std::uint32_t>(begin); j < end; ++j) {
+      const Vec3f moved = filter.moved(j);
+      const std::optional<Neighbour> found = find_in_block(j, moved);
+      if (found && filter.passes(j, moved, found->index)) of_block[begin / kBlockSize].push_back({j, found->index});
+    }
+  });
+  return joined(of_block);
+}
+
+class NearestMatching : public Matching {
+ public:
+  NearestMatching(const Cloud& source, const Cloud& target, const KdTree& tree)
+      : source_(source), target_(target), memory_(tree, source.size()) {}
+
+  std::vector<Correspondence> match(const Rigid3& target_from_source, const Gates& gates, int num_threads) override {
+    gates.check();
+    const PairFilter filter(source_, target_, target_from_source, gates);
+    const auto find = [&, likely = std::optional<std::uint32_t>()](std::uint32_t j, const Vec3f& moved) mutable {
+      const auto found = memory_.nearest(j, moved, filter.max_distance_sq(), likely.value_or(j));
+      if (found) likely = j;
+      return found;
+    };
+    return match_nearest(source_, filter, num_threads, find);
+  }
+
+ private:
+  const Cloud& source_;
+  const Cloud& target_;
+  NearestMemory memory_;
+};
+
+}  // namespace
 
 NearestMatcher::NearestMatcher(const Cloud& target) : target_(target), tree_(target) {}
 
@@ -12,17 +54,16 @@ std::vector<Correspondence> NearestMatcher::match(const Cloud& source, const Rig
                                                   const Gates& gates, int num_threads) const {
   gates.check();
   const PairFilter filter(source, target_, target_from_source, gates);
-  std::vector<std::vector<Correspondence>> of_block((source.size() + kBlockSize - 1) / kBlockSize);
-  for_each_block(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-    std::uint32_t likely = 0;  // what the point before found: neighbours in memory mostly are neighbours in space
-    for (auto j = static_cast<std::uint32_t>(begin); j < end; ++j) {
-      const Vec3f moved = filter.moved(j);
-      const auto found = tree_.nearest(moved, filter.max_distance_sq(), likely);
-      if (found) likely = found->index;
-      if (found && filter.passes(j, moved, found->index)) of_block[begin / kBlockSize].push_back({j, found->index});
-    }
-  });
-  return joined(of_block);
+  const auto find = [&, likely = std::uint32_t{0}](std::uint32_t, const Vec3f& moved) mutable {
+    const auto found = tree_.nearest(moved, filter.max_distance_sq(), likely);
+    if (found) likely = found->index;
+    return found;
+  };
+  return match_nearest(source, filter, num_threads, find);
+}
+
+std::unique_ptr<Matching> NearestMatcher::matching(const Cloud& source) const {
+  return std::make_unique<NearestMatching>(source, target_, tree_);
 }
 
 Agreement NearestMatcher::agreement(const Cloud& source, const Rigid3& target_from_source,

@@ -54,6 +54,28 @@ class First {
   Rank limit_;
 };
 
+// As FirstFew, of two, below a limit.
+class FirstTwo {
+ public:
+  explicit FirstTwo(Rank limit) : first_(limit), second_(limit) {}
+  Rank first() const { return first_; }
+  Rank limit() const { return second_; }
+  void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq) {
+    for (std::size_t k = 0; k < KdLeaf::kPoints; ++k) {
+      const Rank rank = rank_of(distances_sq[k], leaf.index[k]);
+      second_ = std::min(second_, std::max(first_, rank));
+      first_ = std::min(first_, rank);
+    }
+  }
+
+ private:
+  Rank first_, second_;
+};
+
+std::optional<Neighbour> neighbour_below(Rank limit, Rank rank) {
+  return rank < limit ? std::optional(Neighbour{index_of(rank), distance_sq_of(rank)}) : std::nullopt;
+}
+
 // What is still to be looked at: a node or a leaf, see KdNode. No point in it has a lower rank.
 struct Visit {
   Rank least;
@@ -95,11 +117,21 @@ void visit(const KdNodes& tree, const Vec3f& point, Kept& kept) {
   }
 }
 
+// Rounded as in leaves.
+float distance_sq_between(const Vec3f& point, const Vec3f& query) {
+  const Vec3f apart = point - query;
+  return apart.x() * apart.x() + apart.y() * apart.y() + apart.z() * apart.z();
+}
+
 }  // namespace
 
 struct KdTree::Index {
   const std::vector<Vec3f>& points;
   KdNodes nodes;
+
+  Rank rank(const Vec3f& query, std::uint32_t index) const {
+    return index < points.size() ? rank_of(distance_sq_between(points[index], query), index) : kMissing;
+  }
 };
 
 KdTree::KdTree(const Cloud& cloud) : index_(new Index{cloud.points, build_kd_nodes(cloud)}) {}
@@ -114,16 +146,24 @@ std::optional<Neighbour> KdTree::nearest(const Vec3f& query, float max_distance_
 std::optional<Neighbour> KdTree::nearest(const Vec3f& query, float max_distance_sq, std::uint32_t likely) const {
   if (!query.allFinite() || !(max_distance_sq > 0.0f)) return std::nullopt;
   const Rank gate = rank_of(max_distance_sq, 0);
-  Rank limit = gate;
-  if (likely < index_->points.size()) {
-    const Vec3f apart = index_->points[likely] - query;  // rounded as in leaves
-    const float distance_sq = apart.x() * apart.x() + apart.y() * apart.y() + apart.z() * apart.z();
-    limit = std::min(gate, rank_of(distance_sq, likely));
-  }
-  First first(limit);
+  First first(std::min(gate, index_->rank(query, likely)));
   visit(index_->nodes, query, first);
-  if (first.limit() == gate) return std::nullopt;
-  return Neighbour{index_of(first.limit()), distance_sq_of(first.limit())};
+  return neighbour_below(gate, first.limit());
+}
+
+NearestTwo KdTree::nearest_two(const Vec3f& query, float max_distance_sq,
+                               const std::array<std::uint32_t, 2>& likely) const {
+  if (!query.allFinite() || !(max_distance_sq > 0.0f)) return {};
+  Rank limit = rank_of(max_distance_sq, 0);
+  if (likely[0] != likely[1])  // at least two are not farther than the farther of two
+    limit = std::min(limit, std::max(index_->rank(query, likely[0]), index_->rank(query, likely[1])) + 1);
+  FirstTwo two(limit);
+  visit(index_->nodes, query, two);
+  return {neighbour_below(limit, two.first()), neighbour_below(limit, two.limit())};
+}
+
+float KdTree::distance_sq(const Vec3f& query, std::uint32_t index) const {
+  return distance_sq_between(index_->points[index], query);
 }
 
 std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,6 +14,11 @@ namespace augicp {
 struct Neighbour {
   std::uint32_t index = 0;
   float distance_sq = 0.0f;
+};
+
+// The nearest point, and what there is of the next.
+struct NearestTwo {
+  std::optional<Neighbour> nearest, next;
 };
 
 // Nearest neighbours among the points of a cloud, which must outlive the tree and stay as it is. Queries are relative
@@ -28,8 +34,14 @@ class KdTree {
   // The nearest point at a distance below the square root of max_distance_sq, if there is one.
   std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq) const;
 
-  // The same, and sooner where `likely`, the index of a point, is not far.
+  // The same, and sooner where `likely`, the index of a point, is not far. Indices of no point are ignored.
   std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq, std::uint32_t likely) const;
+
+  // The two nearest points at a distance below that; sooner where `likely`, the indices of two points, are not far.
+  NearestTwo nearest_two(const Vec3f& query, float max_distance_sq, const std::array<std::uint32_t, 2>& likely) const;
+
+  // The squared distance of a point, rounded as in what is found.
+  float distance_sq(const Vec3f& query, std::uint32_t index) const;
 
   // The count nearest points, nearest first; fewer where the cloud has fewer.
   std::vector<Neighbour> nearest_k(const Vec3f& query, std::size_t count) const;

@@ -5,6 +5,7 @@
 #include <pthread.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -123,6 +124,27 @@ TEST(KdTree, NearestFewAreTheBruteForceOnesInOrder) {
           indices.insert(found[k].index);
         }
         EXPECT_EQ(indices.size(), found.size()) << name << ": a point was found twice";
+      }
+    }
+  }
+}
+
+// Whatever is taken for likely, and under gates that hide one of the two or both.
+TEST(KdTree, NearestTwoAreTheFirstTwoOfMany) {
+  for (const auto& [name, cloud] : awkward_clouds()) {
+    const KdTree tree(cloud);
+    std::array<std::uint32_t, 2> likely{7, 7};
+    for (const Vec3f& query : queries()) {
+      const std::vector<Neighbour> expected = tree.nearest_k(query, 2);
+      for (float gate : {kFar, 0.1f, 1e-3f}) {
+        const NearestTwo found = tree.nearest_two(query, gate, likely);
+        const auto is_same = [&](const std::optional<Neighbour>& a, std::size_t place) {
+          const bool is_within = place < expected.size() && expected[place].distance_sq < gate;
+          return a.has_value() == is_within && (!a || (a->index == expected[place].index && a->distance_sq == expected[place].distance_sq));
+        };
+        EXPECT_TRUE(is_same(found.nearest, 0)) << name << gate;
+        EXPECT_TRUE(is_same(found.next, 1)) << name << gate;
+        if (found.next) likely = {found.nearest->index, found.next->index};
       }
     }
   }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/match/matcher.h"
+
+namespace augicp {
+namespace {
+
+class Anew : public Matching {
+ public:
+  Anew(const Cloud& source, const Matcher& matcher) : source_(source), matcher_(matcher) {}
+  std::vector<Correspondence> match(const Rigid3& target_from_source, const Gates& gates, int num_threads) override {
+    return matcher_.match(source_, target_from_source, gates, num_threads);
+  }
+
+ private:
+  const Cloud& source_;
+  const Matcher& matcher_;
+};
+
+}  // namespace
+
+std::unique_ptr<Matching> Matcher::matching(const Cloud& source) const { return std::make_unique<Anew>(source, *this); }
+
+}  // namespace augicp
