@@ -29,7 +29,7 @@ std::uint64_t morton_key(const Vec3f& point, const Vec3f& min, double cell) {
   // Offsets from the minimum are never negative, so that truncation is the floor.
   const auto axis = [&](int k) {
     const double index = (static_cast<double>(point[k]) - static_cast<double>(min[k])) / cell;
-    return spread_bits(static_cast<std::uint64_t>(std::min(index, kMaxCells - 1.0)));
+    return spread_bits(static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(index, kMaxCells - 1.0))));
   };
   return axis(0) | axis(1) << 1 | axis(2) << 2;
 }
@@ -37,6 +37,7 @@ std::uint64_t morton_key(const Vec3f& point, const Vec3f& min, double cell) {
 struct Keyed {
   std::uint64_t key;
   std::uint32_t index;
+  float x;  // of the point, by which most are told apart
 };
 
 // Sorted by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing
@@ -59,11 +60,11 @@ void sort_by_key(std::vector<Keyed>& keyed) {
 // By their keys, and where these are equal by their coordinates.
 std::vector<Keyed> sorted_keys(const Cloud& cloud, const Vec3f& min, double cell) {
   std::vector<Keyed> keyed(cloud.size());
-  for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = {morton_key(cloud.points[i], min, cell), i};
+  for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = {morton_key(cloud.points[i], min, cell), i, cloud.points[i].x()};
   sort_by_key(keyed);
   const auto is_before = [&](const Keyed& a, const Keyed& b) {
+    if (a.x != b.x) return a.x < b.x;
     const Vec3f &p = cloud.points[a.index], &q = cloud.points[b.index];
-    if (p.x() != q.x()) return p.x() < q.x();  // nearly always
     return std::tie(p.y(), p.z(), a.index) < std::tie(q.y(), q.z(), b.index);
   };
   for (auto begin = keyed.begin(), end = begin; begin != keyed.end(); begin = end) {

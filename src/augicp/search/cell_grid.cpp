@@ -48,24 +48,32 @@ std::span<const std::uint32_t> CellGrid::points_of(std::size_t cell) const {
   return std::span(points_).subspan(cells_[cell].begin, end - cells_[cell].begin);
 }
 
-std::span<const std::uint32_t> CellGrid::points_in_column(const Place& first, std::int64_t last_z) const {
-  const auto begin = std::partition_point(cells_.begin(), cells_.end(), [&](const Cell& c) { return c.place < first; });
-  const Place last{first[0], first[1], last_z};
-  auto end = begin;
-  while (end != cells_.end() && end->place <= last) ++end;
-  const auto first_point = [&](auto cell) { return cell == cells_.end() ? points_.size() : cell->begin; };
-  return std::span(points_).subspan(first_point(begin), first_point(end) - first_point(begin));
+std::size_t CellGrid::seek(std::size_t from, const Place& place) const {
+  const auto is_below = [&](const Cell& cell) { return cell.place < place; };
+  std::size_t step = 1;
+  while (from + step < cells_.size() && is_below(cells_[from + step])) from += step, step *= 2;
+  const auto begin = cells_.begin() + static_cast<std::ptrdiff_t>(from),
+             end = cells_.begin() + static_cast<std::ptrdiff_t>(std::min(from + step, cells_.size()));
+  return static_cast<std::size_t>(std::partition_point(begin, end, is_below) - cells_.begin());
 }
 
-void CellGrid::around(std::size_t cell, std::vector<std::uint32_t>& points) const {
+std::span<const std::uint32_t> CellGrid::points_up_to(std::size_t first, const Place& last) const {
+  std::size_t end = first;
+  while (end < cells_.size() && cells_[end].place <= last) ++end;
+  const auto first_point = [&](std::size_t cell) { return cell == cells_.size() ? points_.size() : cells_[cell].begin; };
+  return std::span(points_).subspan(first_point(first), first_point(end) - first_point(first));
+}
+
+void CellGrid::Walk::next(std::vector<std::uint32_t>& points) {
   points.clear();
-  const auto [x, y, z] = cells_[cell].place;
+  const auto [x, y, z] = grid_.cells_[cell_++].place;
+  std::size_t* column = columns_.data();
   for (const std::int64_t dx : {-1, 0, 1})
     for (const std::int64_t dy : {-1, 0, 1}) {  // three cells along z follow one another
-      const auto column = points_in_column({x + dx, y + dy, z - 1}, z + 1);
-      points.insert(points.end(), column.begin(), column.end());
+      *column = grid_.seek(*column, {x + dx, y + dy, z - 1});
+      const auto in_column = grid_.points_up_to(*column++, {x + dx, y + dy, z + 1});
+      points.insert(points.end(), in_column.begin(), in_column.end());
     }
-  std::sort(points.begin(), points.end());
 }
 
 }  // namespace augicp

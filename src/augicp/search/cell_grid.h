@@ -24,9 +24,7 @@ class CellGrid {
   // Its points, in ascending order.
   std::span<const std::uint32_t> points_of(std::size_t cell) const;
 
-  // Fills `points` with those of a cell and of all that touch it, in ascending order. An out-argument, so that a loop over
-  // many cells reuses one buffer.
-  void around(std::size_t cell, std::vector<std::uint32_t>& points) const;
+  class Walk;
 
  private:
   using Place = std::array<std::int64_t, 3>;
@@ -35,11 +33,30 @@ class CellGrid {
     std::size_t begin;  // of its points
   };
 
-  // Of the cells from one place up to another above it.
-  std::span<const std::uint32_t> points_in_column(const Place& first, std::int64_t last_z) const;
+  // The first cell from one on that does not lie below a place; num_cells() where all do.
+  std::size_t seek(std::size_t from, const Place& place) const;
+
+  // Of the cells from one on up to a place.
+  std::span<const std::uint32_t> points_up_to(std::size_t first, const Place& last) const;
 
   std::vector<Cell> cells_;  // by their places
   std::vector<std::uint32_t> points_;
+};
+
+// From cell to cell in ascending order: what touches the next cell lies not far behind what touched the last.
+class CellGrid::Walk {
+ public:
+  // The grid must outlive it.
+  Walk(const CellGrid& grid, std::size_t first_cell) : grid_(grid), cell_(first_cell) {}
+
+  // Fills `points` with those of the next cell and of all that touch it, each once, in an order that depends on the cloud only. An
+  // out-argument, so that all cells share one buffer.
+  void next(std::vector<std::uint32_t>& points);
+
+ private:
+  const CellGrid& grid_;
+  std::size_t cell_;
+  std::array<std::size_t, 9> columns_{};  // where those that touched the last cell begin
 };
 
 }  // namespace augicp

@@ -24,14 +24,24 @@ Cloud random_cloud(int count, double size, const Vec3d& corner) {
   return cloud;
 }
 
+// What is around each cell, in ascending order.
+std::vector<std::vector<std::uint32_t>> around_cells(const CellGrid& grid, std::size_t first_cell = 0) {
+  std::vector<std::vector<std::uint32_t>> around(grid.num_cells() - first_cell);
+  CellGrid::Walk walk(grid, first_cell);
+  for (auto& points : around) {
+    walk.next(points);
+    std::sort(points.begin(), points.end());
+  }
+  return around;
+}
+
 // Whatever is near a point is around its cell; checked against all pairs.
 void expect_nothing_missed(const Cloud& cloud, double distance) {
   const CellGrid grid(cloud, distance);
-  std::vector<std::uint32_t> around;
+  const auto around_cell = around_cells(grid);
   std::size_t num_points = 0;
   for (std::size_t cell = 0; cell < grid.num_cells(); ++cell) {
-    grid.around(cell, around);
-    ASSERT_TRUE(std::is_sorted(around.begin(), around.end()));
+    const std::vector<std::uint32_t>& around = around_cell[cell];
     ASSERT_EQ(std::adjacent_find(around.begin(), around.end()), around.end());
     ASSERT_TRUE(std::is_sorted(grid.points_of(cell).begin(), grid.points_of(cell).end()));
     num_points += grid.points_of(cell).size();
@@ -88,11 +98,19 @@ TEST(CellGrid, CellsHoldFewPoints) {
 TEST(CellGrid, WhatIsAroundIsNotMuchMore) {
   const Cloud cloud = random_cloud(5000, 1.0, Vec3d::Zero());
   const CellGrid grid(cloud, 0.1);
-  std::vector<std::uint32_t> around;
+  const auto around = around_cells(grid);
   for (std::size_t cell = 0; cell < grid.num_cells(); ++cell) {
-    grid.around(cell, around);
     const Vec3f& centre = cloud.points[grid.points_of(cell).front()];
-    for (const std::uint32_t i : around) EXPECT_LT((cloud.points[i] - centre).cwiseAbs().maxCoeff(), 0.2001f);
+    for (const std::uint32_t i : around[cell]) EXPECT_LT((cloud.points[i] - centre).cwiseAbs().maxCoeff(), 0.2001f);
+  }
+}
+
+TEST(CellGrid, AWalkMayBeginAnywhere) {
+  const CellGrid grid(random_cloud(2000, 1.0, Vec3d(-0.4, 0.0, 3.0)), 0.1);
+  const auto from_the_first = around_cells(grid);
+  for (std::size_t first : {std::size_t{1}, std::size_t{7}, grid.num_cells() / 2, grid.num_cells() - 1}) {
+    const auto from_there = around_cells(grid, first);
+    EXPECT_TRUE(std::equal(from_there.begin(), from_there.end(), from_the_first.begin() + static_cast<std::ptrdiff_t>(first)));
   }
 }
 

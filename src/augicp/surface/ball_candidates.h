@@ -12,11 +12,11 @@ namespace augicp {
 // distances.
 class BallCandidates {
  public:
-  // To be filled, in ascending order; then read() fetches the points.
+  // To be filled; then read() fetches the points.
   std::vector<std::uint32_t>& index() { return index_; }
   void read(const Cloud& cloud);
 
-  // Appends those nearer to the centre than the square root of radius_sq, in ascending order; says how many they are.
+  // Appends those nearer to the centre than the square root of radius_sq, in the same order; says how many they are.
   std::size_t append_in_ball(const Vec3f& centre, float radius_sq, std::vector<std::uint32_t>& neighbours);
 
  private:

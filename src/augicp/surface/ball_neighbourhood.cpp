@@ -14,7 +14,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kCellsPerBlock = 16, kPointsPerBlock = 256;
+constexpr std::size_t kCellsPerBlock = 64, kPointsPerBlock = 256;
 
 // Lists of neighbours take four bytes each. A ball of four voxels, as registration has it, holds 300 points at most; where
 // there are many more, all of them on average, the cloud was not thinned, and its lists would fill the memory.
@@ -27,11 +27,9 @@ std::size_t max_neighbours(std::size_t num_points) {
 
 // The nearest min_points within the larger radius.
 void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& options, std::vector<std::uint32_t>& neighbours) {
-  const auto first = static_cast<std::ptrdiff_t>(neighbours.size());
   const auto max_radius_sq = static_cast<float>(options.max_radius * options.max_radius);
   for (const Neighbour& found : tree.nearest_k(centre, options.min_points))
     if (found.distance_sq < max_radius_sq) neighbours.push_back(found.index);
-  std::sort(neighbours.begin() + first, neighbours.end());
 }
 
 // As many rows as the compiler knows, so that a sum stays in registers.
@@ -63,9 +61,10 @@ void BallNeighbourhood::find_in_balls(const Cloud& cloud, const BallOptions& opt
   std::atomic<std::size_t> num_neighbours{0};
   const auto find_in_cells = [&](std::size_t begin, std::size_t end) {
     BallCandidates candidates;
+    CellGrid::Walk walk(grid, begin);
     std::vector<std::uint32_t>& neighbours = lists[begin / kCellsPerBlock].neighbours;
     for (std::size_t cell = begin; cell < end; ++cell) {
-      grid.around(cell, candidates.index());
+      walk.next(candidates.index());
       candidates.read(cloud);
       for (const std::uint32_t i : grid.points_of(cell)) {
         const std::size_t count = candidates.append_in_ball(cloud.points[i], radius_sq, neighbours);

@@ -43,7 +43,7 @@ class BallNeighbourhood : public Neighbourhood {
     std::size_t begin = 0, count = 0;
   };
   std::vector<Range> of_point_;            // where each point's neighbours are
-  std::vector<std::uint32_t> neighbours_;  // a point's in ascending order, so that sums do not depend on how they were found
+  std::vector<std::uint32_t> neighbours_;
 };
 
 }  // namespace augicp
