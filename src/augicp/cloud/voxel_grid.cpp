@@ -25,19 +25,38 @@ std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-std::uint64_t morton_key(const Vec3f& point, const Vec3f& min, double cell) {
-  // Offsets from the minimum are never negative, so that truncation is the floor.
-  const auto axis = [&](int k) {
-    const double index = (static_cast<double>(point[k]) - static_cast<double>(min[k])) / cell;
-    return spread_bits(static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(index, kMaxCells - 1.0))));
-  };
+// Places in whole parts of a cell from the grid's corner. The sum of whole numbers does not depend on their order.
+constexpr int kPartBits = 30;
+constexpr std::int64_t kParts = std::int64_t{1} << kPartBits;
+using Parts = std::array<std::int64_t, 3>;
+
+class Grid {
+ public:
+  Grid(const Vec3f& min, double cell) : min_(min.cast<double>()), parts_per_metre_(std::min(kParts / cell, std::numeric_limits<double>::max())) {}
+
+  Parts parts(const Vec3f& point) const {
+    // Offsets from the minimum are never negative, so that truncation is the floor.
+    const auto axis = [&](int k) {
+      const double parts = (static_cast<double>(point[k]) - min_[k]) * parts_per_metre_;
+      return static_cast<std::int64_t>(std::min(parts, kMaxCells * kParts - 1.0));
+    };
+    return {axis(0), axis(1), axis(2)};
+  }
+  Vec3d place(const Vec3d& parts) const { return min_ + parts / parts_per_metre_; }
+
+ private:
+  Vec3d min_;
+  double parts_per_metre_;
+};
+
+std::uint64_t morton_key(const Parts& parts) {
+  const auto axis = [&](int k) { return spread_bits(static_cast<std::uint64_t>(parts[k] >> kPartBits)); };
   return axis(0) | axis(1) << 1 | axis(2) << 2;
 }
 
 struct Keyed {
   std::uint64_t key;
   std::uint32_t index;
-  float x;  // of the point, by which most are told apart
 };
 
 // Sorted by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing
@@ -57,20 +76,10 @@ void sort_by_key(std::vector<Keyed>& keyed) {
   }
 }
 
-// By their keys, and where these are equal by their coordinates.
-std::vector<Keyed> sorted_keys(const Cloud& cloud, const Vec3f& min, double cell) {
+std::vector<Keyed> by_voxel(const Cloud& cloud, const Grid& grid) {
   std::vector<Keyed> keyed(cloud.size());
-  for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = {morton_key(cloud.points[i], min, cell), i, cloud.points[i].x()};
+  for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = {morton_key(grid.parts(cloud.points[i])), i};
   sort_by_key(keyed);
-  const auto is_before = [&](const Keyed& a, const Keyed& b) {
-    if (a.x != b.x) return a.x < b.x;
-    const Vec3f &p = cloud.points[a.index], &q = cloud.points[b.index];
-    return std::tie(p.y(), p.z(), a.index) < std::tie(q.y(), q.z(), b.index);
-  };
-  for (auto begin = keyed.begin(), end = begin; begin != keyed.end(); begin = end) {
-    end = std::find_if(begin, keyed.end(), [&](const Keyed& k) { return k.key != begin->key; });
-    std::sort(begin, end, is_before);
-  }
   return keyed;
 }
 
@@ -82,6 +91,34 @@ std::vector<T> at(const std::vector<T>& values, const std::vector<std::uint32_t>
   chosen.reserve(indices.size());
   for (std::uint32_t i : indices) chosen.push_back(values[i]);
   return chosen;
+}
+
+Vec3f mean_point(const Cloud& cloud, const Grid& grid, std::span<const Keyed> voxel) {
+  if (voxel.size() == 1) return cloud.points[voxel.front().index];
+  Parts sum{};  // beyond the voxel's corner
+  for (const Keyed& point : voxel) {
+    const Parts parts = grid.parts(cloud.points[point.index]);
+    for (int k = 0; k < 3; ++k) sum[k] += parts[k] % kParts;
+  }
+  const Parts any = grid.parts(cloud.points[voxel.front().index]);
+  Vec3d mean;
+  for (int k = 0; k < 3; ++k)
+    mean[k] = static_cast<double>(any[k] - any[k] % kParts) + static_cast<double>(sum[k]) / static_cast<double>(voxel.size());
+  return grid.place(mean).cast<float>();
+}
+
+void sort_by_coordinates(const Cloud& cloud, std::span<Keyed> voxel) {
+  std::sort(voxel.begin(), voxel.end(), [&](const Keyed& a, const Keyed& b) {
+    const Vec3f &p = cloud.points[a.index], &q = cloud.points[b.index];
+    return std::tie(p.x(), p.y(), p.z(), a.index) < std::tie(q.x(), q.y(), q.z(), b.index);
+  });
+}
+
+// The first of them.
+std::uint32_t nearest_to(const Vec3f& place, const Cloud& cloud, std::span<const Keyed> voxel) {
+  const auto distance_sq = [&](const Keyed& k) { return (cloud.points[k.index] - place).squaredNorm(); };
+  const auto is_nearer = [&](const Keyed& a, const Keyed& b) { return distance_sq(a) < distance_sq(b); };
+  return std::min_element(voxel.begin(), voxel.end(), is_nearer)->index;
 }
 
 // Of those that are known; NaN where none is.
@@ -98,16 +135,6 @@ float mean_intensity(const Cloud& cloud, std::span<const Keyed> voxel) {
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> spatial_order(const Cloud& cloud) {
-  if (cloud.empty()) return {};
-  const Bounds box = bounds(cloud);
-  const double cell = std::max(longest_side(box) / (kMaxCells - 1.0), 1e-30);
-  const std::vector<Keyed> keyed = sorted_keys(cloud, box.min, cell);
-  std::vector<std::uint32_t> order(keyed.size());
-  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& k) { return k.index; });
-  return order;
-}
 
 Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices) {
   Cloud chosen;
@@ -137,24 +164,22 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
   const Bounds box = bounds(cloud);
   require(longest_side(box) / voxel_size < kMaxCells, "voxel_size", voxel_size,
           "too small, the cloud spans more than 2^21 voxels");
-  const std::vector<Keyed> keyed = sorted_keys(cloud, box.min, voxel_size);
-  std::vector<std::uint32_t> nearest_to_mean;
+  const Grid grid(box.min, voxel_size);
+  const bool has_more = cloud.has_directions() || cloud.has_intensities() || !cloud.weights.empty();
+  std::vector<Keyed> keyed = by_voxel(cloud, grid);
+  std::vector<std::uint32_t> nearest;
   std::vector<Vec3f> means;
   std::vector<float> intensities;
-  for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
-    Vec3d sum = Vec3d::Zero();
-    for (; end < keyed.size() && keyed[end].key == keyed[begin].key; ++end)
-      sum += cloud.points[keyed[end].index].cast<double>();
-    const Vec3f mean = (sum / static_cast<double>(end - begin)).cast<float>();
-    const auto nearest = std::min_element(keyed.begin() + begin, keyed.begin() + end, [&](const Keyed& a, const Keyed& b) {
-      return (cloud.points[a.index] - mean).squaredNorm() < (cloud.points[b.index] - mean).squaredNorm();
-    });
-    means.push_back(mean);
-    if (cloud.has_intensities())
-      intensities.push_back(mean_intensity(cloud, std::span(keyed).subspan(begin, end - begin)));
-    nearest_to_mean.push_back(nearest->index);
+  for (auto begin = keyed.begin(), end = begin; begin != keyed.end(); begin = end) {
+    end = std::find_if(begin, keyed.end(), [&](const Keyed& k) { return k.key != begin->key; });
+    const std::span<Keyed> voxel(begin, end);
+    means.push_back(mean_point(cloud, grid, voxel));
+    if (!has_more) continue;
+    sort_by_coordinates(cloud, voxel);  // what comes first must not depend on the order of the points
+    nearest.push_back(nearest_to(means.back(), cloud, voxel));
+    if (cloud.has_intensities()) intensities.push_back(mean_intensity(cloud, voxel));
   }
-  Cloud sampled = select(cloud, nearest_to_mean);
+  Cloud sampled = select(cloud, nearest);
   sampled.points = std::move(means);
   sampled.intensities = std::move(intensities);
   return sampled;

@@ -8,10 +8,6 @@
 
 namespace augicp {
 
-// Indices of the points along a space-filling (Morton) curve, equal places ordered by coordinates: neighbours in space
-// become neighbours in memory, and the order does not depend on the order in which the points came.
-std::vector<std::uint32_t> spatial_order(const Cloud& cloud);
-
 // The points at these indices, in this order, with all that belongs to them.
 Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices);
 
@@ -20,7 +16,8 @@ Cloud evenly_chosen(const Cloud& cloud, std::size_t max_count);
 
 // One point a voxel: the mean of the points in it and of their intensities, with the direction, the structure and all else of the
 // point nearest to that mean.
-// Ordered in space and independent of the order of the points. voxel_size in metres, above 0; throws
+// Ordered along a space-filling (Morton) curve, so that neighbours in space become neighbours in memory, and independent of the
+// order of the points. voxel_size in metres, above 0; throws
 // std::invalid_argument where the cloud spans more than 2^21 voxels along an axis.
 Cloud downsample(const Cloud& cloud, double voxel_size);
 
