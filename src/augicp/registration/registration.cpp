@@ -23,13 +23,14 @@ constexpr double kMaxBallGrowth = 3.0;
 // Far outliers (a single "no reading" at zero in a cloud of UTM coordinates) belong to no scene and would only stretch
 // the grid.
 constexpr double kReachPerExtent = 1000.0;
-Cloud without_far_outliers(const Cloud& cloud, double extent) {
-  const Vec3f centre = median_point(cloud);
+void drop_far_outliers(Cloud& cloud, double extent) {
   const auto reach = static_cast<float>(kReachPerExtent * extent);
+  if (bounds(cloud).diagonal() <= static_cast<double>(reach)) return;  // the median point lies within
+  const Vec3f centre = median_point(cloud);
   std::vector<std::uint32_t> within;
   for (std::uint32_t i = 0; i < cloud.size(); ++i)
     if ((cloud.points[i] - centre).norm() <= reach) within.push_back(i);
-  return within.size() == cloud.size() ? cloud : select(cloud, within);
+  if (within.size() < cloud.size()) cloud = select(cloud, within);
 }
 
 void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOptions& options) {
@@ -60,7 +61,7 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   // Without extent there are no lengths and no surface: empty, or all points in one place.
   if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
   if (!scan.view) {
-    scan.cloud = without_far_outliers(scan.cloud, lengths.extent);
+    drop_far_outliers(scan.cloud, lengths.extent);
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
