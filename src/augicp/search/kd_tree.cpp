@@ -54,22 +54,25 @@ class First {
   Rank limit_;
 };
 
-// As FirstFew, of two, below a limit.
-class FirstTwo {
+// As First, of kFew.
+class FirstThree {
  public:
-  explicit FirstTwo(Rank limit) : first_(limit), second_(limit) {}
-  Rank first() const { return first_; }
-  Rank limit() const { return second_; }
+  explicit FirstThree(Rank limit) { ranks_.fill(limit); }
+  const std::array<Rank, kFew>& ranks() const { return ranks_; }
+  Rank limit() const { return ranks_.back(); }
   void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq) {
     for (std::size_t k = 0; k < KdLeaf::kPoints; ++k) {
-      const Rank rank = rank_of(distances_sq[k], leaf.index[k]);
-      second_ = std::min(second_, std::max(first_, rank));
-      first_ = std::min(first_, rank);
+      Rank rank = rank_of(distances_sq[k], leaf.index[k]);
+      for (Rank& kept : ranks_) {  // takes the lower and hands on the higher, without a branch
+        const Rank lower = std::min(kept, rank);
+        rank = std::max(kept, rank);
+        kept = lower;
+      }
     }
   }
 
  private:
-  Rank first_, second_;
+  std::array<Rank, kFew> ranks_;
 };
 
 std::optional<Neighbour> neighbour_below(Rank limit, Rank rank) {
@@ -151,15 +154,17 @@ std::optional<Neighbour> KdTree::nearest(const Vec3f& query, float max_distance_
   return neighbour_below(gate, first.limit());
 }
 
-NearestTwo KdTree::nearest_two(const Vec3f& query, float max_distance_sq,
-                               const std::array<std::uint32_t, 2>& likely) const {
-  if (!query.allFinite() || !(max_distance_sq > 0.0f)) return {};
-  Rank limit = rank_of(max_distance_sq, 0);
-  if (likely[0] != likely[1])  // at least two are not farther than the farther of two
-    limit = std::min(limit, std::max(index_->rank(query, likely[0]), index_->rank(query, likely[1])) + 1);
-  FirstTwo two(limit);
-  visit(index_->nodes, query, two);
-  return {neighbour_below(limit, two.first()), neighbour_below(limit, two.limit())};
+NearestFew KdTree::nearest_few(const Vec3f& query, float max_distance_sq,
+                               const std::array<std::uint32_t, kFew>& likely) const {
+  NearestFew found;
+  if (!query.allFinite() || !(max_distance_sq > 0.0f)) return found;
+  Rank farthest = 0;  // as many points as are asked for are no farther
+  for (const std::uint32_t index : likely) farthest = std::max(farthest, index_->rank(query, index));
+  const Rank limit = std::min(rank_of(max_distance_sq, 0), farthest + 1);
+  FirstThree first(limit);
+  visit(index_->nodes, query, first);
+  for (std::size_t k = 0; k < kFew; ++k) found[k] = neighbour_below(limit, first.ranks()[k]);
+  return found;
 }
 
 float KdTree::distance_sq(const Vec3f& query, std::uint32_t index) const {

@@ -16,10 +16,9 @@ struct Neighbour {
   float distance_sq = 0.0f;
 };
 
-// The nearest point, and what there is of the next.
-struct NearestTwo {
-  std::optional<Neighbour> nearest, next;
-};
+// The nearest points, nearest first, as far as there are any.
+inline constexpr std::size_t kFew = 3;
+using NearestFew = std::array<std::optional<Neighbour>, kFew>;
 
 // Nearest neighbours among the points of a cloud, which must outlive the tree and stay as it is. Queries are relative
 // to the cloud's origin, as its points are, and may run concurrently; one that is not finite finds nothing. Of points
@@ -37,8 +36,8 @@ class KdTree {
   // The same, and sooner where `likely`, the index of a point, is not far. Indices of no point are ignored.
   std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq, std::uint32_t likely) const;
 
-  // The two nearest points at a distance below that; sooner where `likely`, the indices of two points, are not far.
-  NearestTwo nearest_two(const Vec3f& query, float max_distance_sq, const std::array<std::uint32_t, 2>& likely) const;
+  // The kFew nearest points at a distance below that; sooner where `likely`, the indices of different points, are not far.
+  NearestFew nearest_few(const Vec3f& query, float max_distance_sq, const std::array<std::uint32_t, kFew>& likely) const;
 
   // The squared distance of a point, rounded as in what is found.
   float distance_sq(const Vec3f& query, std::uint32_t index) const;

@@ -129,22 +129,22 @@ TEST(KdTree, NearestFewAreTheBruteForceOnesInOrder) {
   }
 }
 
-// Whatever is taken for likely, and under gates that hide one of the two or both.
-TEST(KdTree, NearestTwoAreTheFirstTwoOfMany) {
+// Whatever is taken for likely, and under gates that hide one of them or all.
+TEST(KdTree, NearestFewBelowAGateAreTheFirstOfMany) {
   for (const auto& [name, cloud] : awkward_clouds()) {
     const KdTree tree(cloud);
-    std::array<std::uint32_t, 2> likely{7, 7};
+    std::array<std::uint32_t, kFew> likely{7, 8, 9};
     for (const Vec3f& query : queries()) {
-      const std::vector<Neighbour> expected = tree.nearest_k(query, 2);
+      const std::vector<Neighbour> expected = tree.nearest_k(query, kFew);
       for (float gate : {kFar, 0.1f, 1e-3f}) {
-        const NearestTwo found = tree.nearest_two(query, gate, likely);
-        const auto is_same = [&](const std::optional<Neighbour>& a, std::size_t place) {
-          const bool is_within = place < expected.size() && expected[place].distance_sq < gate;
-          return a.has_value() == is_within && (!a || (a->index == expected[place].index && a->distance_sq == expected[place].distance_sq));
-        };
-        EXPECT_TRUE(is_same(found.nearest, 0)) << name << gate;
-        EXPECT_TRUE(is_same(found.next, 1)) << name << gate;
-        if (found.next) likely = {found.nearest->index, found.next->index};
+        const NearestFew found = tree.nearest_few(query, gate, likely);
+        for (std::size_t k = 0; k < kFew; ++k) {
+          ASSERT_EQ(found[k].has_value(), k < expected.size() && expected[k].distance_sq < gate) << name << gate;
+          if (!found[k]) continue;
+          EXPECT_EQ(found[k]->index, expected[k].index) << name << gate;
+          EXPECT_EQ(found[k]->distance_sq, expected[k].distance_sq) << name << gate;
+        }
+        for (std::size_t k = 0; k < kFew && found.back(); ++k) likely[k] = found[k]->index;
       }
     }
   }

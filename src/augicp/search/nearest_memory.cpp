@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace augicp {
 namespace {
@@ -16,22 +17,33 @@ bool is_surely_nearer(float distance, float others_beyond, float moved) {
   return others_beyond > kShortest && distance + moved < kSure * others_beyond;
 }
 
+bool is_before(const Neighbour& a, const Neighbour& b) {
+  return std::tie(a.distance_sq, a.index) < std::tie(b.distance_sq, b.index);
+}
+
 }  // namespace
+
+Neighbour NearestMemory::nearest_known(const Known& known, const Vec3f& place) const {
+  Neighbour nearest{kNone, std::numeric_limits<float>::infinity()};
+  for (const std::uint32_t index : known.nearest)
+    if (index != kNone) nearest = std::min(nearest, {index, tree_.distance_sq(place, index)}, is_before);
+  return nearest;
+}
 
 std::optional<Neighbour> NearestMemory::nearest(std::size_t query, const Vec3f& place, float max_distance_sq,
                                                 std::size_t likely) {
   Known& known = known_[query];
-  const bool is_known = known.nearest[0] != kNone;
-  Neighbour same{known.nearest[0], std::numeric_limits<float>::infinity()};
-  if (is_known) same.distance_sq = tree_.distance_sq(place, same.index);
-  const float nearest_sq = std::min(same.distance_sq, max_distance_sq), moved = (place - known.place).norm();
+  const Neighbour nearest = nearest_known(known, place);
+  const float nearest_sq = std::min(nearest.distance_sq, max_distance_sq), moved = (place - known.place).norm();
   if (is_surely_nearer(std::sqrt(nearest_sq), known.others_beyond, moved))
-    return same.distance_sq < max_distance_sq ? std::optional(same) : std::nullopt;
-  const NearestTwo found = tree_.nearest_two(place, max_distance_sq, is_known ? known.nearest : known_[likely].nearest);
-  const auto index_of = [](const std::optional<Neighbour>& point) { return point ? point->index : kNone; };
-  const float next_sq = found.next ? found.next->distance_sq : max_distance_sq;
-  known = {place, {index_of(found.nearest), index_of(found.next)}, std::min(std::sqrt(next_sq), kLongest)};
-  return found.nearest;
+    return nearest.distance_sq < max_distance_sq ? std::optional(nearest) : std::nullopt;
+  const bool is_known = known.nearest.back() != kNone;
+  const NearestFew found = tree_.nearest_few(place, max_distance_sq, is_known ? known.nearest : known_[likely].nearest);
+  for (std::size_t k = 0; k < kFew; ++k) known.nearest[k] = found[k] ? found[k]->index : kNone;
+  const float beyond_sq = found.back() ? found.back()->distance_sq : max_distance_sq;
+  known.others_beyond = std::min(std::sqrt(beyond_sq), kLongest);
+  known.place = place;
+  return found.front();
 }
 
 }  // namespace augicp

@@ -12,9 +12,10 @@
 namespace augicp {
 
 // The nearest points of queries that come again, each a little moved, as those of a source under one pose of a loop after
-// the other. A query that has moved by less than half of what its next point was farther away than its nearest has the same
-// nearest point: that costs one distance in place of a search (the idea is that of Greenspan and Godin 2001, "A nearest
-// neighbor method for efficient ICP"). What is found is what KdTree::nearest() finds, bit by bit, however queries move.
+// the other. Of each the nearest few are remembered. All others were at least as far away as the last of these: where one of them is
+// nearer than that less the way that the query has moved, it is the nearest of all, and no search is needed (the idea is that of
+// Greenspan and Godin 2001, "A nearest neighbor method for efficient ICP"). What is found is what KdTree::nearest() finds, bit by
+// bit, however queries move.
 class NearestMemory {
  public:
   // Of queries 0, ..., num_queries - 1. The tree must outlive it.
@@ -29,9 +30,10 @@ class NearestMemory {
 
   struct Known {
     Vec3f place = Vec3f::Zero();
-    std::array<std::uint32_t, 2> nearest{kNone, kNone};  // and the next, where they were below the gate
-    float others_beyond = 0.0f;  // no point but the nearest was less far from the place, metres
+    std::array<std::uint32_t, kFew> nearest{kNone, kNone, kNone};
+    float others_beyond = 0.0f;  // no other point was less far from the place, metres
   };
+  Neighbour nearest_known(const Known& known, const Vec3f& place) const;
 
   const KdTree& tree_;
   std::vector<Known> known_;
