@@ -24,7 +24,9 @@ class WindowSurface {
         width_(static_cast<std::size_t>(index.width)),
         height_(static_cast<std::size_t>(index.height)),
         spans_(window_spans(cloud, index, window, num_threads)),
-        directions_(std::make_unique_for_overwrite<Direction[]>(index.index.size())),
+        pixels_(std::make_unique_for_overwrite<Direction[]>(2 * index.index.size())),
+        directions_(pixels_.get()),
+        spreads_(directions_ + index.index.size()),
         structures_(std::make_unique_for_overwrite<Structure[]>(index.index.size())) {}
 
   void find_shapes();
@@ -46,9 +48,12 @@ class WindowSurface {
   int num_threads_;
   std::size_t width_, height_;
   WindowSpans spans_;
-  std::unique_ptr<Direction[]> directions_;  // weight 1 for normals, which alone are summed, else 0
+  // Of two images in one piece: freed, it is kept for the next image's by glibc, which gives two pieces of half the size back to
+  // the system. That would clear them anew, for a tenth of a frame's time.
+  std::unique_ptr<Direction[]> pixels_;
+  Direction* directions_;  // weight 1 for normals, which alone are summed, else 0
+  Direction* spreads_;     // NormalSpread's tangent with its across for a weight, 0 in corners
   std::unique_ptr<Structure[]> structures_;
-  std::unique_ptr<Direction[]> spreads_;      // NormalSpread's tangent with its across for a weight, 0 in corners
   std::vector<std::uint8_t> may_be_creases_;  // whether any of a batch's spreads is wide enough
 };
 
@@ -79,7 +84,7 @@ void WindowSurface::choose_lines(std::size_t first_pixel, int count, const Windo
 
 void WindowSurface::shapes_of(std::size_t v, std::size_t u, int count, const WindowBatch& windows) {
   const std::size_t pixel = v * width_ + u;
-  fetch_ahead(directions_.get(), width_, height_, v, u, count);
+  fetch_ahead(directions_, width_, height_, v, u, count);
   EigenvalueBatch values;
   VectorBatch directions;
   StructureBatch structures;
@@ -102,7 +107,7 @@ void WindowSurface::find_shapes() {
 
 void WindowSurface::spreads_of(std::size_t v, std::size_t u, int count, const WindowBatch& windows) {
   const std::size_t pixel = v * width_ + u;
-  fetch_ahead(spreads_.get(), width_, height_, v, u, count);
+  fetch_ahead(spreads_, width_, height_, v, u, count);
   may_be_creases(v, u) = may_spread(windows, options_.thresholds);
   if (!may_be_creases(v, u)) {
     std::fill_n(&spreads_[pixel], count, Direction{});
@@ -135,7 +140,6 @@ void WindowSurface::creases_of(std::size_t v, std::size_t u, int count, const Wi
 // Only normals count, and of tangents only those of clear creases, the middle of one more than its sides: see
 // estimate_surface.cpp.
 void WindowSurface::find_creases() {
-  spreads_ = std::make_unique_for_overwrite<Direction[]>(index_.index.size());
   may_be_creases_.resize((width_ + kBatch - 1) / kBatch * height_);
   const auto sums_of = [&](const Direction* directions, float least_weight) {
     return [=, this](std::size_t v, Span part, float* prefix) {
@@ -143,10 +147,10 @@ void WindowSurface::find_creases() {
     };
   };
   for_each_window<DirectionMoments>(
-      spans_, num_threads_, sums_of(directions_.get(), 0.0f), [](std::size_t, std::size_t) { return true; },
+      spans_, num_threads_, sums_of(directions_, 0.0f), [](std::size_t, std::size_t) { return true; },
       [&](std::size_t v, std::size_t u, int count, const WindowBatch& windows) { spreads_of(v, u, count, windows); });
   for_each_window<DirectionMoments>(
-      spans_, num_threads_, sums_of(spreads_.get(), static_cast<float>(options_.thresholds.clear_crease)),
+      spans_, num_threads_, sums_of(spreads_, static_cast<float>(options_.thresholds.clear_crease)),
       [&](std::size_t v, std::size_t u) { return may_be_creases(v, u) != 0; },
       [&](std::size_t v, std::size_t u, int count, const WindowBatch& windows) { creases_of(v, u, count, windows); });
 }
