@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -59,28 +60,36 @@ struct Keyed {
   std::uint32_t index;
 };
 
-// Sorted by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing
+// Room for all points twice, to sort them from one half to the other. In one piece: freed, it is kept for the next cloud's by glibc,
+// which gives two pieces of half the size back to the system, to be cleared anew.
+struct SortedPoints {
+  explicit SortedPoints(std::size_t count)
+      : memory(std::make_unique_for_overwrite<Keyed[]>(2 * count)), points(memory.get(), count), spare(&memory[count], count) {}
+  std::unique_ptr<Keyed[]> memory;
+  std::span<Keyed> points, spare;
+};
+
+// Sorts by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing
 // them does. Bits above the highest key's, half of them in most clouds, are left out.
-void sort_by_key(std::vector<Keyed>& keyed) {
+void sort_by_key(SortedPoints& sorted) {
   constexpr int kBits = 11, kKeyBits = 63;
   std::uint64_t all = 0;
-  for (const Keyed& k : keyed) all |= k.key;
-  std::vector<Keyed> sorted(keyed.size());
+  for (const Keyed& k : sorted.points) all |= k.key;
   for (int shift = 0; shift < kKeyBits && all >> shift != 0; shift += kBits) {
     const auto digit = [=](const Keyed& k) { return k.key >> shift & ((1 << kBits) - 1); };
     std::array<std::uint32_t, 1 << kBits> place{};
-    for (const Keyed& k : keyed) ++place[digit(k)];
+    for (const Keyed& k : sorted.points) ++place[digit(k)];
     std::exclusive_scan(place.begin(), place.end(), place.begin(), std::uint32_t{0});
-    for (const Keyed& k : keyed) sorted[place[digit(k)]++] = k;
-    keyed.swap(sorted);
+    for (const Keyed& k : sorted.points) sorted.spare[place[digit(k)]++] = k;
+    std::swap(sorted.points, sorted.spare);
   }
 }
 
-std::vector<Keyed> by_voxel(const Cloud& cloud, const Grid& grid) {
-  std::vector<Keyed> keyed(cloud.size());
-  for (std::uint32_t i = 0; i < keyed.size(); ++i) keyed[i] = {morton_key(grid.parts(cloud.points[i])), i};
-  sort_by_key(keyed);
-  return keyed;
+SortedPoints by_voxel(const Cloud& cloud, const Grid& grid) {
+  SortedPoints sorted(cloud.size());
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) sorted.points[i] = {morton_key(grid.parts(cloud.points[i])), i};
+  sort_by_key(sorted);
+  return sorted;
 }
 
 double longest_side(const Bounds& box) { return (box.max.cast<double>() - box.min.cast<double>()).maxCoeff(); }
@@ -166,12 +175,12 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
           "too small, the cloud spans more than 2^21 voxels");
   const Grid grid(box.min, voxel_size);
   const bool has_more = cloud.has_directions() || cloud.has_intensities() || !cloud.weights.empty();
-  std::vector<Keyed> keyed = by_voxel(cloud, grid);
+  const SortedPoints sorted = by_voxel(cloud, grid);
   std::vector<std::uint32_t> nearest;
   std::vector<Vec3f> means;
   std::vector<float> intensities;
-  for (auto begin = keyed.begin(), end = begin; begin != keyed.end(); begin = end) {
-    end = std::find_if(begin, keyed.end(), [&](const Keyed& k) { return k.key != begin->key; });
+  for (auto begin = sorted.points.begin(), end = begin; begin != sorted.points.end(); begin = end) {
+    end = std::find_if(begin, sorted.points.end(), [&](const Keyed& k) { return k.key != begin->key; });
     const std::span<Keyed> voxel(begin, end);
     means.push_back(mean_point(cloud, grid, voxel));
     if (!has_more) continue;
