@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
@@ -126,12 +127,13 @@ void write_spans(const LinePoints& line, std::size_t stride, Span* spans) {
 
 }  // namespace
 
-WindowSpans window_spans(const Cloud& cloud, const IndexImage& index, const WindowOptions& options, int num_threads) {
+void find_window_spans(const Cloud& cloud, const IndexImage& index, const WindowOptions& options, int num_threads,
+                       const WindowSpans& spans) {
   check(options);
   for (const int side : {index.width, index.height})
     require(side <= std::numeric_limits<std::uint16_t>::max(), "image side", side, "must be at most 65535 pixels");
-  WindowSpans spans{index.width, index.height, std::vector<Span>(index.index.size()),
-                    std::vector<Span>(index.index.size())};
+  std::fill(spans.in_row.begin(), spans.in_row.end(), Span{});
+  std::fill(spans.in_column.begin(), spans.in_column.end(), Span{});
   for (const bool along_rows : {true, false}) {
     const int num_lines = along_rows ? index.height : index.width, length = along_rows ? index.width : index.height;
     const std::size_t stride = along_rows ? 1 : index.width, step = along_rows ? index.width : 1;
@@ -148,7 +150,6 @@ WindowSpans window_spans(const Cloud& cloud, const IndexImage& index, const Wind
         },
         kLinesPerBlock);
   }
-  return spans;
 }
 
 }  // namespace augicp

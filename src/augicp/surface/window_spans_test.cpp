@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "augicp/testing/poses.h"
 #include "augicp/testing/rendering.h"
@@ -32,6 +33,17 @@ WindowOptions options_with(double radius, double radius_per_depth) {
   return options;
 }
 
+struct Spans {
+  std::vector<Span> in_row, in_column;
+};
+Spans window_spans(const OrganizedCloud& seen, const WindowOptions& options, int num_threads) {
+  const std::vector<Span> before(seen.index.index.size(), Span{3, 5});  // of which nothing must be left
+  Spans spans{before, before};
+  find_window_spans(seen.cloud, seen.index, options, num_threads,
+                    {seen.index.width, seen.index.height, spans.in_row, spans.in_column});
+  return spans;
+}
+
 TEST(WindowSpans, AreTheArms) {
   for (const double sigma_at_1m : {0.0, kKinectSigmaAt1m, 0.02})
     for (const Scene& scene : {box_on_table(), wire(), depth_step(), room()})
@@ -39,7 +51,7 @@ TEST(WindowSpans, AreTheArms) {
            {options_with(0.05, 0.0), options_with(0.01, 0.04), options_with(10.0, 0.0)}) {
         const OrganizedCloud seen = seen_with_holes(scene, sigma_at_1m);
         const std::vector<Arms> arms = WindowNeighbourhood(seen.cloud, seen.index, options, 0).arms();
-        const WindowSpans spans = window_spans(seen.cloud, seen.index, options, 0);
+        const Spans spans = window_spans(seen, options, 0);
         for (int v = 0, pixel = 0; v < seen.index.height; ++v)
           for (int u = 0; u < seen.index.width; ++u, ++pixel) {
             const Span row = spans.in_row[pixel], column = spans.in_column[pixel];
@@ -58,14 +70,14 @@ TEST(WindowSpans, AreTheArms) {
 
 TEST(WindowSpans, ThreadsDoNotChangeThem) {
   const OrganizedCloud seen = seen_with_holes(box_on_table(), kKinectSigmaAt1m);
-  const WindowSpans expected = window_spans(seen.cloud, seen.index, options_with(0.05, 0.0), 1);
-  const WindowSpans found = window_spans(seen.cloud, seen.index, options_with(0.05, 0.0), 3);
+  const Spans expected = window_spans(seen, options_with(0.05, 0.0), 1);
+  const Spans found = window_spans(seen, options_with(0.05, 0.0), 3);
   EXPECT_EQ(found.in_row, expected.in_row);
   EXPECT_EQ(found.in_column, expected.in_column);
 }
 
 TEST(WindowSpans, RefuseTooLongSides) {
-  EXPECT_THROW(window_spans({}, IndexImage(65536, 1), options_with(0.05, 0.0), 1), std::invalid_argument);
+  EXPECT_THROW(window_spans({{}, IndexImage(65536, 1)}, options_with(0.05, 0.0), 1), std::invalid_argument);
 }
 
 }  // namespace

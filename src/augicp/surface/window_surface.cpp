@@ -2,8 +2,10 @@
 #include "augicp/surface/window_surface.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "augicp/core/parallel.h"
@@ -12,6 +14,26 @@
 
 namespace augicp {
 namespace {
+
+// What is known of each pixel, in one piece of memory: freed, a piece is kept by glibc for the next image where all that was freed with it
+// is not larger. In several pieces it would go back to the system, which clears it anew: a third of the time that an image takes.
+class PixelMemory {
+ public:
+  explicit PixelMemory(const IndexImage& image)
+      : count_(image.index.size()),
+        memory_(std::make_unique_for_overwrite<std::byte[]>(count_ * (2 * sizeof(Direction) + 2 * sizeof(Span) + 1))) {
+    static_assert(sizeof(Structure) == 1);
+  }
+  Direction* directions() const { return reinterpret_cast<Direction*>(memory_.get()); }
+  Direction* spreads() const { return directions() + count_; }
+  std::span<Span> spans_in_row() const { return {reinterpret_cast<Span*>(spreads() + count_), count_}; }
+  std::span<Span> spans_in_column() const { return {spans_in_row().data() + count_, count_}; }
+  Structure* structures() const { return reinterpret_cast<Structure*>(spans_in_column().data() + count_); }
+
+ private:
+  std::size_t count_;
+  std::unique_ptr<std::byte[]> memory_;
+};
 
 class WindowSurface {
  public:
@@ -23,11 +45,13 @@ class WindowSurface {
         num_threads_(num_threads),
         width_(static_cast<std::size_t>(index.width)),
         height_(static_cast<std::size_t>(index.height)),
-        spans_(window_spans(cloud, index, window, num_threads)),
-        pixels_(std::make_unique_for_overwrite<Direction[]>(2 * index.index.size())),
-        directions_(pixels_.get()),
-        spreads_(directions_ + index.index.size()),
-        structures_(std::make_unique_for_overwrite<Structure[]>(index.index.size())) {}
+        pixels_(index),
+        spans_{index.width, index.height, pixels_.spans_in_row(), pixels_.spans_in_column()},
+        directions_(pixels_.directions()),
+        spreads_(pixels_.spreads()),
+        structures_(pixels_.structures()) {
+    find_window_spans(cloud, index, window, num_threads, spans_);
+  }
 
   void find_shapes();
   void find_creases();
@@ -47,13 +71,11 @@ class WindowSurface {
   const SurfaceOptions& options_;
   int num_threads_;
   std::size_t width_, height_;
+  PixelMemory pixels_;
   WindowSpans spans_;
-  // Of two images in one piece: freed, it is kept for the next image's by glibc, which gives two pieces of half the size back to
-  // the system. That would clear them anew, for a tenth of a frame's time.
-  std::unique_ptr<Direction[]> pixels_;
   Direction* directions_;  // weight 1 for normals, which alone are summed, else 0
   Direction* spreads_;     // NormalSpread's tangent with its across for a weight, 0 in corners
-  std::unique_ptr<Structure[]> structures_;
+  Structure* structures_;
   std::vector<std::uint8_t> may_be_creases_;  // whether any of a batch's spreads is wide enough
 };
 
