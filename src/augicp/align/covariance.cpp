@@ -56,10 +56,10 @@ constexpr std::size_t kNumAsked = 4096;
 // Small against the ball from which a point's direction comes, large against the leaps of single pairs.
 constexpr double kStepPerLength = 0.05;
 
-// How the gradient changes with the pose, by central differences of a step along each direction: with the pairs each pose
-// finds. The directions turn about the middle of the pairs: a turn about a zero far off would move all points far.
-Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, const Mat6d& directions, double step,
-                int num_threads) {
+// How the gradient changes with the pose, by central differences of a step along each direction: with the pairs each
+// pose finds. The directions turn about the middle of the pairs: a turn about a zero far off would move all points far.
+Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, const Mat6d& directions,
+                double step, int num_threads) {
   const Cloud asked = evenly_chosen(source, kNumAsked);
   const std::unique_ptr<Matching> matching = matcher.matching(asked);
   matching->match(solution.target_from_source, solution.gates, num_threads);  // all others are near
@@ -79,12 +79,13 @@ Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& sol
   return back.transpose() * along * back;
 }
 
-// The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for that.
-std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution, double cell_size,
-                                         int num_threads) {
+// The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for
+// that.
+std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution,
+                                         double cell_size, int num_threads) {
   const Buckets buckets = in_buckets(target, solution.pairs, cell_size);
-  const std::vector<Vec6d> gradients = gradients_of_groups(source, target, buckets.pairs, buckets.begin,
-                                                           solution.target_from_source, solution.objective, num_threads);
+  const std::vector<Vec6d> gradients = gradients_of_groups(
+      source, target, buckets.pairs, buckets.begin, solution.target_from_source, solution.objective, num_threads);
   Mat6d products = Mat6d::Zero();
   int num_cells = 0;
   for (std::size_t b = 0; b < kNumBuckets; ++b) {

@@ -33,7 +33,8 @@ using Parts = std::array<std::int64_t, 3>;
 
 class Grid {
  public:
-  Grid(const Vec3f& min, double cell) : min_(min.cast<double>()), parts_per_metre_(std::min(kParts / cell, std::numeric_limits<double>::max())) {}
+  Grid(const Vec3f& min, double cell)
+      : min_(min.cast<double>()), parts_per_metre_(std::min(kParts / cell, std::numeric_limits<double>::max())) {}
 
   Parts parts(const Vec3f& point) const {
     // Offsets from the minimum are never negative, so that truncation is the floor.
@@ -60,11 +61,13 @@ struct Keyed {
   std::uint32_t index;
 };
 
-// Room for all points twice, to sort them from one half to the other. In one piece: freed, it is kept for the next cloud's by glibc,
-// which gives two pieces of half the size back to the system, to be cleared anew.
+// Room for all points twice, to sort them from one half to the other. In one piece: freed, it is kept for the next
+// cloud's by glibc, which gives two pieces of half the size back to the system, to be cleared anew.
 struct SortedPoints {
   explicit SortedPoints(std::size_t count)
-      : memory(std::make_unique_for_overwrite<Keyed[]>(2 * count)), points(memory.get(), count), spare(&memory[count], count) {}
+      : memory(std::make_unique_for_overwrite<Keyed[]>(2 * count)),
+        points(memory.get(), count),
+        spare(&memory[count], count) {}
   std::unique_ptr<Keyed[]> memory;
   std::span<Keyed> points, spare;
 };
@@ -112,7 +115,8 @@ Vec3f mean_point(const Cloud& cloud, const Grid& grid, std::span<const Keyed> vo
   const Parts any = grid.parts(cloud.points[voxel.front().index]);
   Vec3d mean;
   for (int k = 0; k < 3; ++k)
-    mean[k] = static_cast<double>(any[k] - any[k] % kParts) + static_cast<double>(sum[k]) / static_cast<double>(voxel.size());
+    mean[k] =
+        static_cast<double>(any[k] - any[k] % kParts) + static_cast<double>(sum[k]) / static_cast<double>(voxel.size());
   return grid.place(mean).cast<float>();
 }
 

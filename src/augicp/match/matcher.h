@@ -12,8 +12,8 @@
 
 namespace augicp {
 
-// Guesses the pairs of one source under one pose after the other, and may remember from each what makes the next one faster:
-// what it finds does not depend on what was asked before. For one thread at a time.
+// Guesses the pairs of one source under one pose after the other, and may remember from each what makes the next one
+// faster: what it finds does not depend on what was asked before. For one thread at a time.
 class Matching {
  public:
   virtual ~Matching() = default;
@@ -31,10 +31,11 @@ class Matcher {
 
   // The pairs, in an order that depends on the clouds only. target_from_source maps between the clouds' points, without
   // their origins.
-  virtual std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source,
-                                            const Gates& gates, int num_threads) const = 0;
+  virtual std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
+                                            int num_threads) const = 0;
 
-  // For one pose after the other. The matcher and the source must outlive it. Unless overridden, it calls match() for each.
+  // For one pose after the other. The matcher and the source must outlive it. Unless overridden, it calls match() for
+  // each.
   virtual std::unique_ptr<Matching> matching(const Cloud& source) const;
 
   // What the target says of the source under a pose, whatever pairs there are. The same for any number of threads.

@@ -8,10 +8,11 @@
 namespace augicp {
 namespace {
 
-// find(j, place): the target point nearest to source point j, which the pose moves to that place. Each block has a copy, which may
-// remember what it found for the point before: neighbours in memory mostly are neighbours in space.
+// find(j, place): the target point nearest to source point j, which the pose moves to that place. Each block has a
+// copy, which may remember what it found for the point before: neighbours in memory mostly are neighbours in space.
 template <typename Find>
-std::vector<Correspondence> match_nearest(const Cloud& source, const PairFilter& filter, int num_threads, const Find& find) {
+std::vector<Correspondence> match_nearest(const Cloud& source, const PairFilter& filter, int num_threads,
+                                          const Find& find) {
   std::vector<std::vector<Correspondence>> of_block((source.size() + kBlockSize - 1) / kBlockSize);
   for_each_block(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
     Find find_in_block = find;

@@ -16,27 +16,27 @@ namespace augicp {
 struct Objective {
   InformationModel information;
 
-  // K: a pair whose chi2 is above counts with gamma = K / chi2. In units of chi2, above 0; 1e-30 of the largest information is the
-  // least.
+  // K: a pair whose chi2 is above counts with gamma = K / chi2. In units of chi2, above 0; 1e-30 of the largest
+  // information is the least.
   double kernel_chi2 = std::numeric_limits<double>::infinity();
 
-  // The same for the direction's part alone, before it enters chi2: two directions may be unlike (clutter, a wrong pair)
-  // where the positions fit well.
+  // The same for the direction's part alone, before it enters chi2: two directions may be unlike (clutter, a wrong
+  // pair) where the positions fit well.
   double kernel_direction_chi2 = std::numeric_limits<double>::infinity();
 
   // Beyond the paper: a third part of every pair's error. Off where its information is 0.
   IntensityModel intensity{};
 };
 
-// H, b and cost over the pairs. Points of both clouds are taken without their origins, and should lie within a thousand extents
-// of zero, as those of files do: what is made of errors is float. A linear part counts where both
-// points of a pair have the same structure; a tangent, and a normal unless both sensors' places are known, is compared
-// without its sign. Omega is scaled by the target point's weight where it has one. Sums are the same for any number of threads.
+// H, b and cost over the pairs. Points of both clouds are taken without their origins, and should lie within a thousand
+// extents of zero, as those of files do: what is made of errors is float. A linear part counts where both points of a
+// pair have the same structure; a tangent, and a normal unless both sensors' places are known, is compared without its
+// sign. Omega is scaled by the target point's weight where it has one. Sums are the same for any number of threads.
 NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                           const Rigid3& target_from_source, const Objective& objective, int num_threads);
 
-// b of groups of pairs, each as linearize() has it but for the last digits: those of pairs[begin[g]], ..., pairs[begin[g + 1] - 1].
-// begin ascends from the first group's to the end of the last.
+// b of groups of pairs, each as linearize() has it but for the last digits: those of pairs[begin[g]], ...,
+// pairs[begin[g + 1] - 1]. begin ascends from the first group's to the end of the last.
 std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                                        std::span<const std::size_t> begin, const Rigid3& target_from_source,
                                        const Objective& objective, int num_threads);
@@ -47,6 +47,6 @@ struct PairChi2 {
   std::vector<float> position, direction;
 };
 PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                 const Rigid3& target_from_source, const InformationModel& information, int num_threads);
+                       const Rigid3& target_from_source, const InformationModel& information, int num_threads);
 
 }  // namespace augicp

@@ -14,8 +14,9 @@ namespace {
 // So much larger than the distance are cells that no rounding puts two points nearer than it two cells apart.
 constexpr double kCellPerDistance = 1.0 + 1e-5;
 
-// From so many cells on, neighbouring floats are more than a cell apart, so that only equal ones are near each other: each then has
-// a place of its own, far from all others. Counting cells there would put many into one, or leave the range of integers.
+// From so many cells on, neighbouring floats are more than a cell apart, so that only equal ones are near each other:
+// each then has a place of its own, far from all others. Counting cells there would put many into one, or leave the
+// range of integers.
 constexpr double kCountedCells = 1 << 26;
 constexpr std::int64_t kApart = std::int64_t{1} << 28;
 
@@ -60,7 +61,9 @@ std::size_t CellGrid::seek(std::size_t from, const Place& place) const {
 std::span<const std::uint32_t> CellGrid::points_up_to(std::size_t first, const Place& last) const {
   std::size_t end = first;
   while (end < cells_.size() && cells_[end].place <= last) ++end;
-  const auto first_point = [&](std::size_t cell) { return cell == cells_.size() ? points_.size() : cells_[cell].begin; };
+  const auto first_point = [&](std::size_t cell) {
+    return cell == cells_.size() ? points_.size() : cells_[cell].begin;
+  };
   return std::span(points_).subspan(first_point(first), first_point(end) - first_point(first));
 }
 

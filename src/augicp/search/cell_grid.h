@@ -10,9 +10,9 @@
 
 namespace augicp {
 
-// The points of a cloud by the cubes of a regular grid in which they lie. Where every point asks for all within one distance, those
-// of a cell share what is around it, which takes a fraction of the time that as many descents of a tree do. Const calls may run
-// concurrently.
+// The points of a cloud by the cubes of a regular grid in which they lie. Where every point asks for all within one
+// distance, those of a cell share what is around it, which takes a fraction of the time that as many descents of a tree
+// do. Const calls may run concurrently.
 class CellGrid {
  public:
   // distance: metres, above 0. Points nearer to each other than this lie in one cell or in two that touch.
@@ -49,8 +49,8 @@ class CellGrid::Walk {
   // The grid must outlive it.
   Walk(const CellGrid& grid, std::size_t first_cell) : grid_(grid), cell_(first_cell) {}
 
-  // Fills `points` with those of the next cell and of all that touch it, each once, in an order that depends on the cloud only. An
-  // out-argument, so that all cells share one buffer.
+  // Fills `points` with those of the next cell and of all that touch it, each once, in an order that depends on the
+  // cloud only. An out-argument, so that all cells share one buffer.
   void next(std::vector<std::uint32_t>& points);
 
  private:

@@ -19,8 +19,9 @@ Cloud random_cloud(int count, double size, const Vec3d& corner) {
   std::mt19937 generator(7);
   Cloud cloud;
   for (int i = 0; i < count; ++i)
-    cloud.points.push_back((corner + Vec3d(uniform(generator, 0, size), uniform(generator, 0, size), uniform(generator, 0, size)))
-                               .cast<float>());
+    cloud.points.push_back(
+        (corner + Vec3d(uniform(generator, 0, size), uniform(generator, 0, size), uniform(generator, 0, size)))
+            .cast<float>());
   return cloud;
 }
 
@@ -80,12 +81,14 @@ TEST(CellGrid, FarOutliersAreCellsOfTheirOwn) {
 TEST(CellGrid, NothingIsMissedBesideAFarOutlier) {
   for (float far : {1e18f, -1e18f, -1e10f}) {
     Cloud cloud;
-    for (float x : {far, 63.9f, 64.1f, 64.3f, -0.05f, 0.05f}) cloud.points.push_back(Vec3f(x, far > 0.0f ? 0.0f : x, 0.0f));
+    for (float x : {far, 63.9f, 64.1f, 64.3f, -0.05f, 0.05f})
+      cloud.points.push_back(Vec3f(x, far > 0.0f ? 0.0f : x, 0.0f));
     for (double distance : {1.0, 0.21, 1e-6}) expect_nothing_missed(cloud, distance);
   }
 }
 
-// robustness 10: neither far outliers nor a distance near zero puts points into few cells, of which all pairs would be looked at.
+// robustness 10: neither far outliers nor a distance near zero puts points into few cells, of which all pairs would be
+// looked at.
 TEST(CellGrid, CellsHoldFewPoints) {
   Cloud cloud = random_cloud(2000, 1.0, Vec3d(5.0, -5.0, 0.0));
   const std::size_t num_cells = CellGrid(cloud, 0.01).num_cells();
@@ -110,7 +113,8 @@ TEST(CellGrid, AWalkMayBeginAnywhere) {
   const auto from_the_first = around_cells(grid);
   for (std::size_t first : {std::size_t{1}, std::size_t{7}, grid.num_cells() / 2, grid.num_cells() - 1}) {
     const auto from_there = around_cells(grid, first);
-    EXPECT_TRUE(std::equal(from_there.begin(), from_there.end(), from_the_first.begin() + static_cast<std::ptrdiff_t>(first)));
+    EXPECT_TRUE(
+        std::equal(from_there.begin(), from_there.end(), from_the_first.begin() + static_cast<std::ptrdiff_t>(first)));
   }
 }
 

@@ -36,8 +36,10 @@ class KdTree {
   // The same, and sooner where `likely`, the index of a point, is not far. Indices of no point are ignored.
   std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq, std::uint32_t likely) const;
 
-  // The kFew nearest points at a distance below that; sooner where `likely`, the indices of different points, are not far.
-  NearestFew nearest_few(const Vec3f& query, float max_distance_sq, const std::array<std::uint32_t, kFew>& likely) const;
+  // The kFew nearest points at a distance below that; sooner where `likely`, the indices of different points, are not
+  // far.
+  NearestFew nearest_few(const Vec3f& query, float max_distance_sq,
+                         const std::array<std::uint32_t, kFew>& likely) const;
 
   // The squared distance of a point, rounded as in what is found.
   float distance_sq(const Vec3f& query, std::uint32_t index) const;

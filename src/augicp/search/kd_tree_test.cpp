@@ -199,8 +199,9 @@ TEST(KdTree, ManyEqualPointsCostNoMoreThanOthers) {
   }
 }
 
-// Half of the points nearer to zero than the other half, and so on down to the smallest numbers: a tree that splits in the
-// middle becomes as deep as floats have exponents. In a thread with a small stack, which a deeper one would overflow.
+// Half of the points nearer to zero than the other half, and so on down to the smallest numbers: a tree that splits in
+// the middle becomes as deep as floats have exponents. In a thread with a small stack, which a deeper one would
+// overflow.
 TEST(KdTree, PointsThatCrowdTogetherMakeNoDeepTree) {
   Cloud cloud = equal_points(1000);
   for (int exponent = -149; exponent < 59; ++exponent)

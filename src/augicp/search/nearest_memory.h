@@ -11,18 +11,18 @@
 
 namespace augicp {
 
-// The nearest points of queries that come again, each a little moved, as those of a source under one pose of a loop after
-// the other. Of each the nearest few are remembered. All others were at least as far away as the last of these: where one of them is
-// nearer than that less the way that the query has moved, it is the nearest of all, and no search is needed (the idea is that of
-// Greenspan and Godin 2001, "A nearest neighbor method for efficient ICP"). What is found is what KdTree::nearest() finds, bit by
-// bit, however queries move.
+// The nearest points of queries that come again, each a little moved, as those of a source under one pose of a loop
+// after the other. Of each the nearest few are remembered. All others were at least as far away as the last of these:
+// where one of them is nearer than that less the way that the query has moved, it is the nearest of all, and no search
+// is needed (the idea is that of Greenspan and Godin 2001, "A nearest neighbor method for efficient ICP"). What is
+// found is what KdTree::nearest() finds, bit by bit, however queries move.
 class NearestMemory {
  public:
   // Of queries 0, ..., num_queries - 1. The tree must outlive it.
   NearestMemory(const KdTree& tree, std::size_t num_queries) : tree_(tree), known_(num_queries) {}
 
-  // likely: a query asked before whose place is not far, or this one. Calls for different queries may run concurrently if
-  // they name no other as likely that another call is for.
+  // likely: a query asked before whose place is not far, or this one. Calls for different queries may run concurrently
+  // if they name no other as likely that another call is for.
   std::optional<Neighbour> nearest(std::size_t query, const Vec3f& place, float max_distance_sq, std::size_t likely);
 
  private:

@@ -8,8 +8,8 @@
 
 namespace augicp {
 
-// Points among which the neighbours of several others are looked for, as arrays, so that compilers make vectors of their
-// distances.
+// Points among which the neighbours of several others are looked for, as arrays, so that compilers make vectors of
+// their distances.
 class BallCandidates {
  public:
   // To be filled; then read() fetches the points.

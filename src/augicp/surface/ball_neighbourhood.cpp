@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t kCellsPerBlock = 64, kPointsPerBlock = 256;
 
-// Lists of neighbours take four bytes each. A ball of four voxels, as registration has it, holds 300 points at most; where
-// there are many more, all of them on average, the cloud was not thinned, and its lists would fill the memory.
+// Lists of neighbours take four bytes each. A ball of four voxels, as registration has it, holds 300 points at most;
+// where there are many more, all of them on average, the cloud was not thinned, and its lists would fill the memory.
 constexpr std::size_t kMaxNeighboursPerPoint = 512;
 constexpr std::size_t kFewNeighbours = std::size_t{1} << 24;  // of any cloud: 64 MB
 
@@ -26,7 +26,8 @@ std::size_t max_neighbours(std::size_t num_points) {
 }
 
 // The nearest min_points within the larger radius.
-void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& options, std::vector<std::uint32_t>& neighbours) {
+void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& options,
+                    std::vector<std::uint32_t>& neighbours) {
   const auto max_radius_sq = static_cast<float>(options.max_radius * options.max_radius);
   for (const Neighbour& found : tree.nearest_k(centre, options.min_points))
     if (found.distance_sq < max_radius_sq) neighbours.push_back(found.index);

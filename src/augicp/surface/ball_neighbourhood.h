@@ -20,7 +20,8 @@ struct BallOptions {
 };
 
 // Section 4.1 for any cloud: the points in a fixed ball.
-// Memory is bounded: throws std::invalid_argument where the balls hold more than 512 points on average, and 2^24 together.
+// Memory is bounded: throws std::invalid_argument where the balls hold more than 512 points on average, and 2^24
+// together.
 class BallNeighbourhood : public Neighbourhood {
  public:
   BallNeighbourhood(const Cloud& cloud, const BallOptions& options, int num_threads);
@@ -42,7 +43,7 @@ class BallNeighbourhood : public Neighbourhood {
   struct Range {
     std::size_t begin = 0, count = 0;
   };
-  std::vector<Range> of_point_;            // where each point's neighbours are
+  std::vector<Range> of_point_;  // where each point's neighbours are
   std::vector<std::uint32_t> neighbours_;
 };
 

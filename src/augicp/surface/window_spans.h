@@ -24,8 +24,8 @@ struct WindowSpans {
   std::span<Span> in_row, in_column;
 };
 
-// Fills spans of the image's size. As WindowNeighbourhood, which tests compare it with. Throws std::invalid_argument where an
-// option is out of bounds or a side of the image is longer than 65535 pixels.
+// Fills spans of the image's size. As WindowNeighbourhood, which tests compare it with. Throws std::invalid_argument
+// where an option is out of bounds or a side of the image is longer than 65535 pixels.
 void find_window_spans(const Cloud& cloud, const IndexImage& index, const WindowOptions& options, int num_threads,
                        const WindowSpans& spans);
 

@@ -15,8 +15,9 @@
 namespace augicp {
 namespace {
 
-// What is known of each pixel, in one piece of memory: freed, a piece is kept by glibc for the next image where all that was freed with it
-// is not larger. In several pieces it would go back to the system, which clears it anew: a third of the time that an image takes.
+// What is known of each pixel, in one piece of memory: freed, a piece is kept by glibc for the next image where all
+// that was freed with it is not larger. In several pieces it would go back to the system, which clears it anew: a third
+// of the time that an image takes.
 class PixelMemory {
  public:
   explicit PixelMemory(const IndexImage& image)
