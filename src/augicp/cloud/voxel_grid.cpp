@@ -67,7 +67,7 @@ struct SortedPoints {
   explicit SortedPoints(std::size_t count)
       : memory(std::make_unique_for_overwrite<Keyed[]>(2 * count)),
         points(memory.get(), count),
-        spare(&memory[count], count) {}
+        spare(memory.get() + count, count) {}
   std::unique_ptr<Keyed[]> memory;
   std::span<Keyed> points, spare;
 };
