@@ -25,7 +25,9 @@ TEST(Parallel, EveryItemIsVisitedOnce) {
 
 // Terms of very different size: another order of additions would give other bits.
 TEST(Parallel, SumHasTheSameBitsForAnyNumberOfThreads) {
-  const auto term = [](std::size_t i) { return std::sin(static_cast<double>(i)) * std::pow(10.0, double(i % 17) - 8.0); };
+  const auto term = [](std::size_t i) {
+    return std::sin(static_cast<double>(i)) * std::pow(10.0, double(i % 17) - 8.0);
+  };
   const auto block = [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t i = begin; i < end; ++i) sum += term(i);
