@@ -50,7 +50,7 @@ IndexRuns random_runs(std::mt19937& generator, std::size_t count, std::size_t si
 
 TEST(Gather, ReadsWhatEachIndexPointsTo) {
   std::mt19937 generator(5);
-  for (const std::size_t size : {1, 15, 16, 17, 40, 1000}) {
+  for (const std::size_t size : {1, 15, 16, 17, 40, 1000, 5000}) {  // of the last, what comes next is asked for ahead
     const Cloud cloud = numbered(size);
     for (const std::size_t count : {1, 2, 15, 16, 17, 63, 64})
       for (const int mean_length : {1, 2, 4, 20, 1000})

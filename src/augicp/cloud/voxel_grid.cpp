@@ -175,9 +175,11 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
   require_positive("voxel_size", voxel_size);
   if (cloud.empty()) return cloud;
   const Bounds box = bounds(cloud);
-  require(longest_side(box) / voxel_size < kMaxCells, "voxel_size", voxel_size,
+  const double longest = longest_side(box);
+  require(longest / voxel_size < kMaxCells, "voxel_size", voxel_size,
           "too small, the cloud spans more than 2^21 voxels");
-  const Grid grid(box.min, voxel_size);
+  // A cell that holds the whole cloud need not be larger: its parts would be no small ones of the cloud.
+  const Grid grid(box.min, longest > 0.0 ? std::min(voxel_size, 2.0 * longest) : voxel_size);
   const bool has_more = cloud.has_directions() || cloud.has_intensities() || !cloud.weights.empty();
   const SortedPoints sorted = by_voxel(cloud, grid);
   std::vector<std::uint32_t> nearest;

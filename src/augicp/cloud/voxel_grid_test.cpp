@@ -94,6 +94,16 @@ TEST(VoxelGrid, PointsAreTheSameWithAllElse) {
   EXPECT_EQ(downsample(cloud, 0.2).points, downsample(bare, 0.2).points);
 }
 
+TEST(VoxelGrid, VoxelsFarLargerThanTheCloudGiveItsMean) {
+  Cloud cloud;
+  cloud.points = {{0.0f, 0.0f, 0.0f}, {1.0f, 1e-5f, 3.0f}};
+  for (double voxel_size : {7.0, 1e3, 1e8, 1e20, 1e300}) {
+    const Cloud sampled = downsample(cloud, voxel_size);
+    ASSERT_EQ(sampled.size(), 1u);
+    EXPECT_LT((sampled.points[0] - Vec3f(0.5f, 5e-6f, 1.5f)).norm(), 1e-7f) << voxel_size;
+  }
+}
+
 TEST(VoxelGrid, LonePointsStayAsTheyAre) {
   Cloud cloud;
   cloud.points = {{1e-7f, -1e-9f, 3e-8f}, {1.1f, 1e-7f, -1e-12f}, {-7.3f, 1e-6f, 5.0f}};
