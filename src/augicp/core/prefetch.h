@@ -11,7 +11,9 @@ template <typename Entry>
 void prefetch(const Entry* first, std::size_t count) {
   constexpr std::size_t kLineBytes = 64;
   const auto* const bytes = reinterpret_cast<const char*>(first);
-  for (std::size_t k = 0; k < count * sizeof(Entry); k += kLineBytes) __builtin_prefetch(bytes + k);
+  const std::size_t num_bytes = count * sizeof(Entry);
+  for (std::size_t k = 0; k < num_bytes; k += kLineBytes) __builtin_prefetch(bytes + k);
+  if (num_bytes > 0) __builtin_prefetch(bytes + num_bytes - 1);  // the first need not begin a line
 }
 
 }  // namespace augicp

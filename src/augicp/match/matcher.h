@@ -34,8 +34,8 @@ class Matcher {
   virtual std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                             int num_threads) const = 0;
 
-  // For one pose after the other. The matcher and the source must outlive it. Unless overridden, it calls match() for
-  // each.
+  // For one pose after the other: what align() asks. The matcher and the source must outlive it. Unless overridden, it
+  // calls match() for each; who overrides match() of a NearestMatcher must override it, too.
   virtual std::unique_ptr<Matching> matching(const Cloud& source) const;
 
   // What the target says of the source under a pose, whatever pairs there are. The same for any number of threads.

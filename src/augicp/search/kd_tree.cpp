@@ -55,9 +55,9 @@ class First {
 };
 
 // As First, of kFew.
-class FirstThree {
+class FirstOfFew {
  public:
-  explicit FirstThree(Rank limit) { ranks_.fill(limit); }
+  explicit FirstOfFew(Rank limit) { ranks_.fill(limit); }
   const std::array<Rank, kFew>& ranks() const { return ranks_; }
   Rank limit() const { return ranks_.back(); }
   void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq) {
@@ -161,7 +161,7 @@ NearestFew KdTree::nearest_few(const Vec3f& query, float max_distance_sq,
   Rank farthest = 0;  // as many points as are asked for are no farther
   for (const std::uint32_t index : likely) farthest = std::max(farthest, index_->rank(query, index));
   const Rank limit = std::min(rank_of(max_distance_sq, 0), farthest + 1);
-  FirstThree first(limit);
+  FirstOfFew first(limit);
   visit(index_->nodes, query, first);
   for (std::size_t k = 0; k < kFew; ++k) found[k] = neighbour_below(limit, first.ranks()[k]);
   return found;

@@ -17,13 +17,14 @@ namespace augicp {
 // Brings count pixels from (u, v) on to the cache, of a row some rows farther down an image: a strip's rows lie farther
 // apart in an image than processors look ahead by themselves.
 template <typename Pixel>
-void fetch_ahead(const Pixel* image, std::size_t width, std::size_t height, std::size_t v, std::size_t u, int count) {
+void fetch_rows_ahead(const Pixel* image, std::size_t width, std::size_t height, std::size_t v, std::size_t u,
+                      int count) {
   constexpr std::size_t kRowsAhead = 6;
   if (v + kRowsAhead < height) prefetch(image + (v + kRowsAhead) * width + u, static_cast<std::size_t>(count));
 }
 
-// Prefix sums down a strip of kBatch columns: row v has what lies in the spans of its pixels' rows above v. Sums along a
-// row are taken as far to both sides of the strip as these spans reach.
+// Prefix sums down a strip of kBatch columns: row v has what lies in the spans of its pixels' rows above v. Sums along
+// a row are taken as far to both sides of the strip as these spans reach.
 template <typename Moments>
 class StripSums {
  public:
@@ -39,12 +40,12 @@ class StripSums {
     std::fill_n(sums_.get(), kStride, Number{0});
   }
 
-  // Of count columns from u on; the others stay zero. accumulate_row(v, part, prefix) calls accumulate() for a part of
-  // row v.
+  // Of count columns from u on; of the others only row 0 is set, which is what empty spans read. accumulate_row(v,
+  // part, prefix) calls accumulate() for a part of row v.
   template <typename AccumulateRow>
   void add_up(std::size_t u, int count, const AccumulateRow& accumulate_row) {
     for (std::size_t v = 0; v < to_size(spans_.height); ++v) {
-      fetch_ahead(spans_.in_row.data(), to_size(spans_.width), to_size(spans_.height), v, u, count);
+      fetch_rows_ahead(spans_.in_row.data(), to_size(spans_.width), to_size(spans_.height), v, u, count);
       const Span* const in_row = &spans_.in_row[v * to_size(spans_.width) + u];
       const Span part = around(in_row, count);
       accumulate_row(v, part, &along_row_[part.begin * std::size_t{Moments::kChannels}]);
@@ -76,7 +77,7 @@ void for_each_window(const WindowSpans& spans, int num_threads, const Accumulate
     WindowBatch windows;
     Span padded[kBatch] = {};  // those beyond the image are empty
     for (std::size_t v = first_wanted; v < height; ++v) {
-      fetch_ahead(spans.in_column.data(), width, height, v, begin, count);
+      fetch_rows_ahead(spans.in_column.data(), width, height, v, begin, count);
       if (!wanted(v, begin)) continue;
       const Span* column_spans = &spans.in_column[v * width + begin];
       if (count < kBatch) column_spans = std::copy_n(column_spans, count, padded) - count;

@@ -107,7 +107,7 @@ void WindowSurface::choose_lines(std::size_t first_pixel, int count, const Windo
 
 void WindowSurface::shapes_of(std::size_t v, std::size_t u, int count, const WindowBatch& windows) {
   const std::size_t pixel = v * width_ + u;
-  fetch_ahead(directions_, width_, height_, v, u, count);
+  fetch_rows_ahead(directions_, width_, height_, v, u, count);
   EigenvalueBatch values;
   VectorBatch directions;
   StructureBatch structures;
@@ -130,7 +130,7 @@ void WindowSurface::find_shapes() {
 
 void WindowSurface::spreads_of(std::size_t v, std::size_t u, int count, const WindowBatch& windows) {
   const std::size_t pixel = v * width_ + u;
-  fetch_ahead(spreads_, width_, height_, v, u, count);
+  fetch_rows_ahead(spreads_, width_, height_, v, u, count);
   may_be_creases(v, u) = may_spread(windows, options_.thresholds);
   if (!may_be_creases(v, u)) {
     std::fill_n(&spreads_[pixel], count, Direction{});
