@@ -181,7 +181,7 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
   // A cell that holds the whole cloud need not be larger: its parts would be no small ones of the cloud.
   const Grid grid(box.min, longest > 0.0 ? std::min(voxel_size, 2.0 * longest) : voxel_size);
   const bool has_more = cloud.has_directions() || cloud.has_intensities() || !cloud.weights.empty();
-  const SortedPoints sorted = by_voxel(cloud, grid);
+  SortedPoints sorted = by_voxel(cloud, grid);
   std::vector<std::uint32_t> nearest;
   std::vector<Vec3f> means;
   std::vector<float> intensities;

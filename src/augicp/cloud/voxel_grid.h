@@ -16,8 +16,9 @@ Cloud evenly_chosen(const Cloud& cloud, std::size_t max_count);
 
 // One point a voxel: the mean of the points in it and of their intensities, with the direction, the structure and all
 // else of the point nearest to that mean. Ordered along a space-filling (Morton) curve, so that neighbours in space
-// become neighbours in memory, and independent of the order of the points. voxel_size in metres, above 0; throws
-// std::invalid_argument where the cloud spans more than 2^21 voxels along an axis.
+// become neighbours in memory, and independent of the order of the points, but for points at the same place: of those
+// the first gives its direction. voxel_size in metres, above 0; throws std::invalid_argument where the cloud spans more
+// than 2^21 voxels along an axis.
 Cloud downsample(const Cloud& cloud, double voxel_size);
 
 }  // namespace augicp

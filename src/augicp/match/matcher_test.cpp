@@ -140,7 +140,7 @@ TEST(NearestMatcher, PairsAreTheBruteForceOnesInSourceOrder) {
   }
 }
 
-// Of one pose after the other, far and near, under gates that close: what is remembered changes nothing.
+// Of one pose after the other, far and near, under gates that close and open: what is remembered changes nothing.
 TEST(Matcher, MatchingOfManyPosesIsThatOfEachForAnyNumberOfThreads) {
   const OrganizedCloud target = random_target(5);
   const Cloud source = source_near(target.cloud, 6);

@@ -36,7 +36,7 @@ NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<co
                           const Rigid3& target_from_source, const Objective& objective, int num_threads);
 
 // b of groups of pairs, each as linearize() has it but for the last digits: those of pairs[begin[g]], ...,
-// pairs[begin[g + 1] - 1]. begin ascends from the first group's to the end of the last.
+// pairs[begin[g + 1] - 1]. begin ascends from the first group's to the end of the last, and has at least one entry.
 std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                                        std::span<const std::size_t> begin, const Rigid3& target_from_source,
                                        const Objective& objective, int num_threads);

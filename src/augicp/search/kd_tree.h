@@ -37,7 +37,7 @@ class KdTree {
   std::optional<Neighbour> nearest(const Vec3f& query, float max_distance_sq, std::uint32_t likely) const;
 
   // The kFew nearest points at a distance below that; sooner where `likely`, the indices of different points, are not
-  // far.
+  // far. An index of no point makes all of them void.
   NearestFew nearest_few(const Vec3f& query, float max_distance_sq,
                          const std::array<std::uint32_t, kFew>& likely) const;
 

@@ -28,10 +28,11 @@ class NearestMemory {
  private:
   static constexpr std::uint32_t kNone = -1;
 
+  static_assert(kFew == 3);  // as many as named here
   struct Known {
     Vec3f place = Vec3f::Zero();
     std::array<std::uint32_t, kFew> nearest{kNone, kNone, kNone};
-    float others_beyond = 0.0f;  // no other point was less far from the place, metres
+    float others_beyond = 0.0f;  // no other point was nearer to the place, metres
   };
   Neighbour nearest_known(const Known& known, const Vec3f& place) const;
 

@@ -105,6 +105,50 @@ TEST(NearestMemory, ChangesFromOnePointToTheNextWhereASearchDoes) {
   }
 }
 
+// A query that comes from the side of the later point to the mirror between two.
+TEST(NearestMemory, OfTwoAsNearTheFirstIsFound) {
+  Cloud cloud;
+  cloud.points = {{1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+  const KdTree tree(cloud);
+  NearestMemory memory(tree, 1);
+  EXPECT_EQ(memory.nearest(0, Vec3f(0.4f, 0.0f, 0.0f), kInfinity, 0)->index, 1u);
+  EXPECT_EQ(memory.nearest(0, Vec3f(0.5f, 0.0f, 0.0f), kInfinity, 0)->index, 0u);
+}
+
+TEST(NearestMemory, NoPointIsFoundAtTheGate) {
+  Cloud cloud;
+  cloud.points = {{0.0f, 0.0f, 0.0f}, {5.0f, 0.0f, 0.0f}};
+  const KdTree tree(cloud);
+  NearestMemory memory(tree, 1);
+  for (const float x : {0.25f, 0.0f}) {
+    const Vec3f place(x, 0.0f, 0.0f);
+    EXPECT_EQ(memory.nearest(0, place, kInfinity, 0)->index, 0u);
+    EXPECT_FALSE(memory.nearest(0, place, x * x, 0)) << x;
+  }
+}
+
+// Four points, one of which is not remembered: straight away from the nearest to halfway between these two, where what
+// is left of the last digits tells which of them is nearer.
+TEST(NearestMemory, RoundingHidesNoPoint) {
+  std::mt19937 generator(9);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Vec3d from = trial % 2 == 0 ? Vec3d::Zero().eval() : testing::random_direction(generator);
+    const Vec3d along = testing::random_direction(generator);
+    const Vec3d across = along.cross(testing::random_direction(generator)).normalized();
+    const double behind = testing::uniform(generator, 0.05, 0.95);
+    const double step = (1.0 - behind) / 2.0 * (1.0 + 3e-7 * testing::uniform(generator, -1.0, 1.0));
+    Cloud cloud;
+    for (const Vec3d& to : {Vec3d((1.0 - 1e-7) * across), Vec3d((2e-7 - 1.0) * across), along, Vec3d(-behind * along)})
+      cloud.points.push_back((from + to).cast<float>());
+    const KdTree tree(cloud);
+    NearestMemory memory(tree, 1);
+    for (const Vec3d& at : {from, Vec3d(from + step * along)}) {
+      const Vec3f place = at.cast<float>();
+      expect_same(memory.nearest(0, place, kInfinity, 0), tree.nearest(place, kInfinity), std::to_string(trial));
+    }
+  }
+}
+
 // The other point is so far at first that the square of its distance is no float.
 TEST(NearestMemory, ForgetsNoPointBeyondFloat) {
   Cloud cloud;
