@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/words.h"
 #include "augicp/registration/registration.h"
+#include "augicp/registration/words.h"
 #include "python/bindings.h"
 #include "python/cloud.h"
 #include "python/numbers.h"

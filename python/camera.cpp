@@ -68,10 +68,12 @@ void bind_camera(py::module_& module) {
   type.def(py::init(&made), py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"),
            py::arg("width") = usual.pinhole.width, py::arg("height") = usual.pinhole.height,
            py::arg("distortion") = coefficients(usual), py::arg("readout_s") = usual.readout_s);
-  type.def_static("read", [](const std::string& text) { return read_camera(text); }, py::arg("text"), kReadDoc);
+  type.def_static(
+      "read", [](const std::string& text) { return read_camera(text); }, py::arg("text"), kReadDoc);
   type.def_static("names", &camera_names, "Every name that Camera.read knows.");
   const auto pinhole = [&type](const char* name, auto field, const char* doc) {
-    type.def_property_readonly(name, [field](const DepthCamera& camera) { return camera.pinhole.*field; }, doc);
+    type.def_property_readonly(
+        name, [field](const DepthCamera& camera) { return camera.pinhole.*field; }, doc);
   };
   pinhole("fx", &Pinhole::fx, "Focal length along x, pixels.");
   pinhole("fy", &Pinhole::fy, "Focal length along y, pixels.");

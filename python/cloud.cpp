@@ -121,17 +121,20 @@ void bind_arrays(CloudType& type) {
   type.def_property_readonly(
       "points_from_origin",
       [](const py::object& self) { return view_of_rows(self, self.cast<const Scan&>().cloud.points); },
-      "(N, 3) float32, metres, points - origin: the cloud's own memory, read-only, not copied. The array keeps it alive.");
-  type.def_property_readonly("origin", [](const Scan& scan) { return vector_array(scan.cloud.origin); },
-                             "(3,) float64, metres; zero unless the cloud lies far from zero.");
+      "(N, 3) float32, metres, points - origin: the cloud's own memory, read-only, not copied. The array keeps it "
+      "alive.");
+  type.def_property_readonly(
+      "origin", [](const Scan& scan) { return vector_array(scan.cloud.origin); },
+      "(3,) float64, metres; zero unless the cloud lies far from zero.");
   type.def_property_readonly("directions", &directions,
                              "(N, 3) float32 unit normals and tangents, zero where there is none; None before they are "
                              "estimated. The cloud's own memory, as points_from_origin.");
   type.def_property_readonly("structures", &structures,
                              "(N,) uint8, what each direction is: 0 nothing, 1 a normal, 2 a tangent; or None. The "
                              "cloud's own memory, as points_from_origin.");
-  type.def_property_readonly("intensities", &intensities,
-                             "(N,) float32 view, read-only, in the unit of the file, NaN where not known; None: the cloud has none.");
+  type.def_property_readonly(
+      "intensities", &intensities,
+      "(N,) float32 view, read-only, in the unit of the file, NaN where not known; None: the cloud has none.");
   type.def_property_readonly("weights", &weights,
                              "(N,) float32 in (0, 1], how sure each point is beside the surest; None: all alike. The "
                              "cloud's own memory, as points_from_origin.");

@@ -70,7 +70,8 @@ py::tuple state_of(const Scan& scan) {
   if (cloud.viewpoint) viewpoint = py::make_tuple(cloud.viewpoint->x(), cloud.viewpoint->y(), cloud.viewpoint->z());
   return py::make_tuple(kFormat, bytes_of(cloud.points), bytes_of(cloud.directions), bytes_of(cloud.structures),
                         bytes_of(cloud.weights), py::make_tuple(cloud.origin.x(), cloud.origin.y(), cloud.origin.z()),
-                        viewpoint, state_of(scan.view), bytes_of(cloud.intensities), bytes_of(cloud.intensity_gradients));
+                        viewpoint, state_of(scan.view), bytes_of(cloud.intensities),
+                        bytes_of(cloud.intensity_gradients));
 }
 
 std::shared_ptr<Scan> scan_of_state(const py::tuple& state) {

@@ -46,7 +46,8 @@ std::vector<std::uint16_t> sensor_values(const py::array& image) {
   return values;
 }
 
-constexpr const char* kReadDoc = R"(The depth image in a PNG of 16-bit grey values, as a new (height, width) float32 array
+constexpr const char* kReadDoc =
+    R"(The depth image in a PNG of 16-bit grey values, as a new (height, width) float32 array
 of metres; NaN where there is no reading (0 and 65535).
 
 depth_scale: the value of one metre; 5000 in the TUM benchmark, 1000 in most others. Raises FileError for any other kind of
@@ -75,8 +76,9 @@ DepthImage depth_image_from(const py::object& given, std::optional<double> depth
   if (image.dtype().kind() == 'f')
     return depth_image(values_of<float>(image), width, height, depth_scale.value_or(kMetres));
   if (!depth_scale)
-    throw WrongType("depth image: integers need depth_scale, the value of one metre: 5000 in the TUM benchmark, 1000 in "
-                    "most others");
+    throw WrongType(
+        "depth image: integers need depth_scale, the value of one metre: 5000 in the TUM benchmark, 1000 in "
+        "most others");
   return depth_image(sensor_values(image), width, height, *depth_scale);
 }
 

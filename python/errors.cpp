@@ -46,9 +46,9 @@ void translate(std::exception_ptr thrown) {
 }  // namespace
 
 void bind_errors(py::module_& module) {
-  const auto base = py::reinterpret_borrow<py::object>(
-      add_class(module, "Error", "The base of everything that augicp raises by itself.",
-                py::make_tuple(py::handle(PyExc_Exception))));
+  const auto base = py::reinterpret_borrow<py::object>(add_class(module, "Error",
+                                                                 "The base of everything that augicp raises by itself.",
+                                                                 py::make_tuple(py::handle(PyExc_Exception))));
   classes.argument = add_class(module, "ArgumentError", "An argument or option out of its range. Also a ValueError.",
                                py::make_tuple(base, py::handle(PyExc_ValueError)));
   classes.type = add_class(module, "ArgumentTypeError",

@@ -10,7 +10,8 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(How far an estimated trajectory is from the true one: ATE (APE) and RPE, as evo and the TUM benchmark.
+constexpr const char* kDoc =
+    R"(How far an estimated trajectory is from the true one: ATE (APE) and RPE, as evo and the TUM benchmark.
 
 estimate, groundtruth: Trajectory, or the path of a file in the TUM benchmark's form. Each may be in a world of its own.
 
@@ -42,7 +43,8 @@ void bind_statistics(py::module_& module) {
   type.def_readonly("max", &Statistics::max, "Largest.");
   type.def_readonly("sse", &Statistics::sse, "Sum of squares.");
   type.def("__repr__", [](const Statistics& statistics) {
-    return "<augicp.Statistics rmse " + std::to_string(statistics.rmse) + ", " + std::to_string(statistics.count) + " errors>";
+    return "<augicp.Statistics rmse " + std::to_string(statistics.rmse) + ", " + std::to_string(statistics.count) +
+           " errors>";
   });
   py::class_<PoseStatistics> poses(module, "PoseStatistics", "Statistics of errors of poses.");
   poses.def_readonly("translation", &PoseStatistics::translation, "Statistics in metres.");
@@ -56,12 +58,14 @@ void bind_evaluate(py::module_& module) {
   py::class_<Evaluation> type(module, "Evaluation", "How far a trajectory is from the true one, see evaluate.");
   type.def_readonly("num_estimate", &Evaluation::num_estimate, "Poses of the estimate.");
   type.def_readonly("num_truth", &Evaluation::num_truth, "Poses of the truth.");
-  type.def_readonly("num_matched", &Evaluation::num_matched, "Poses of the estimate with a true one of the same moment.");
+  type.def_readonly("num_matched", &Evaluation::num_matched,
+                    "Poses of the estimate with a true one of the same moment.");
   type.def_readonly("matched_share", &Evaluation::matched_share, "Of the estimate's poses, 0 to 1.");
   type.def_readonly("first_stamp", &Evaluation::first_stamp_s, "Of the matched poses, by the truth's clock, seconds.");
   type.def_readonly("last_stamp", &Evaluation::last_stamp_s, "Of the matched poses, by the truth's clock, seconds.");
   type.def_readonly("absolute", &Evaluation::absolute, "PoseStatistics (ATE), the worlds as they are.");
-  type.def_readonly("aligned", &Evaluation::aligned, "PoseStatistics (ATE), the worlds laid on each other; None: not asked for.");
+  type.def_readonly("aligned", &Evaluation::aligned,
+                    "PoseStatistics (ATE), the worlds laid on each other; None: not asked for.");
   type.def_readonly("relative", &Evaluation::relative, "PoseStatistics (RPE); None where no poses are delta apart.");
   type.def_property_readonly(
       "T_truth_estimate",

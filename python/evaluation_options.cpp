@@ -10,10 +10,12 @@ const OptionTable<EvaluationOptions>& evaluation_options() {
   static const OptionTable<Options> table{
       {"align", word<Options>(kAlignments, &Options::alignment)},
       {"truth", word<Options>(kTruthReadings, &Options::truth)},
-      {"max_difference_s", number<Options>([](auto& options) -> auto& { return options.association.max_difference_s; })},
+      {"max_difference_s",
+       number<Options>([](auto& options) -> auto& { return options.association.max_difference_s; })},
       {"time_offset_s", number<Options>([](auto& options) -> auto& { return options.association.time_offset_s; })},
       {"delta", number<Options>([](auto& options) -> auto& { return options.delta.delta; })},
-      {"unit", word<Options>(kDeltaUnits, [](auto& options) -> auto& { return options.delta.unit; })},
+      {"unit", word<Options>(
+                   kDeltaUnits, [](auto& options) -> auto& { return options.delta.unit; })},
       {"consecutive", number<Options>([](auto& options) -> auto& { return options.delta.consecutive; })},
   };
   return table;

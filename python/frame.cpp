@@ -26,14 +26,17 @@ std::string in_words(const FrameReport& frame) {
 }  // namespace
 
 void bind_frame(py::module_& module) {
-  py::class_<FrameReport> type(module, "Frame",
-                               "How a frame of odometry went. bool(frame) is True where its pose may be trusted: it was "
-                               "tracked, or a segment starts with it.");
+  py::class_<FrameReport> type(
+      module, "Frame",
+      "How a frame of odometry went. bool(frame) is True where its pose may be trusted: it was "
+      "tracked, or a segment starts with it.");
   type.def_readonly("stamp", &FrameReport::stamp_s, "Seconds.");
-  type.def_property_readonly("status", [](const FrameReport& frame) { return word_member("FrameStatus", name_of(frame.status)); },
-                             "A FrameStatus.");
+  type.def_property_readonly(
+      "status", [](const FrameReport& frame) { return word_member("FrameStatus", name_of(frame.status)); },
+      "A FrameStatus.");
   type.def_property_readonly("T_world_camera", &pose, "(4, 4) float64: a new array; None where there is no pose.");
-  type.def_readonly("segment", &FrameReport::segment, "Poses of different segments have no measured motion between them.");
+  type.def_readonly("segment", &FrameReport::segment,
+                    "Poses of different segments have no measured motion between them.");
   type.def_readonly("is_keyframe", &FrameReport::is_keyframe, "The model is in its view from now on.");
   type.def_property_readonly("registration", &registration, "The Status of its registration, or None.");
   type.def_readonly("iterations", &FrameReport::iterations, "Of its registrations.");

@@ -16,7 +16,8 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDefaultsDoc = R"(A new dict of every keyword option and its default, of "align" (and estimate_surface), "odometry" or "evaluate".
+constexpr const char* kDefaultsDoc =
+    R"(A new dict of every keyword option and its default, of "align" (and estimate_surface), "odometry" or "evaluate".
 
 None: derived from the clouds, or the preset's.)";
 

@@ -14,7 +14,7 @@ bool is_real(const py::dtype& type) { return type.kind() == 'f' || type.kind() =
 
 // NumPy's asarray() would show what the mask hides.
 py::array without_mask(const py::array& array) {
-  if (!py::isinstance(array, py::module_::import("numpy.ma").attr("MaskedArray"))) 
+  if (!py::isinstance(array, py::module_::import("numpy.ma").attr("MaskedArray")))
     return py::module_::import("numpy").attr("asarray")(array).cast<py::array>();  // without what a subclass overrides
   return array.attr("astype")("float64").attr("filled")(std::nan("")).cast<py::array>();
 }
@@ -57,8 +57,8 @@ Reals::Reals(const py::array& array)
       is_float_(array.itemsize() == sizeof(float)) {}
 
 double Reals::operator()(std::size_t row, std::size_t column) const {
-  const char* const place = first_ + static_cast<std::ptrdiff_t>(row) * row_stride_ +
-                            static_cast<std::ptrdiff_t>(column) * column_stride_;
+  const char* const place =
+      first_ + static_cast<std::ptrdiff_t>(row) * row_stride_ + static_cast<std::ptrdiff_t>(column) * column_stride_;
   if (is_float_) {
     float value;
     std::memcpy(&value, place, sizeof(value));

@@ -14,8 +14,8 @@ namespace augicp::python {
 namespace py = pybind11;
 
 // What a caller gave, as an array of real numbers of any type and strides; an array is not copied. What a masked array
-// hides becomes NaN. Throws WrongType for everything else (booleans, complex numbers, text, objects, records): name says
-// what it was meant to be.
+// hides becomes NaN. Throws WrongType for everything else (booleans, complex numbers, text, objects, records): name
+// says what it was meant to be.
 py::array as_numbers(const py::object& given, const std::string& name);
 
 // The same as float32 or float64 in this machine's byte order; copied where it is something else.
@@ -48,8 +48,8 @@ py::array to_array(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 py::array vector_array(const Vec3d& vector);
 py::array to_array(const Rigid3& motion);
 
-// A view of what owner holds, which lives as long as the view and does not change: nothing is copied, and the view cannot
-// be written to.
+// A view of what owner holds, which lives as long as the view and does not change: nothing is copied, and the view
+// cannot be written to.
 template <typename Number>
 py::array view_of(const Number* first, std::vector<py::ssize_t> shape, const py::handle& owner) {
   py::array_t<Number> view(std::move(shape), first, owner);

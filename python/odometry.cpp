@@ -33,7 +33,8 @@ keyframe_overlap (shares); max_strain, max_lost, max_extrapolation_s (seconds); 
 
 Calls from several threads follow one another in some order. Raises ArgumentError and ArgumentTypeError as align does.)";
 
-constexpr const char* kAddDoc = R"(The next image: (height, width), as in Cloud.from_depth. stamp: seconds; None: 1/30 after the one before.
+constexpr const char* kAddDoc =
+    R"(The next image: (height, width), as in Cloud.from_depth. stamp: seconds; None: 1/30 after the one before.
 
 Returns its pose as a new (4, 4) float64 T_world_camera, or None where it has none; last_frame tells how it went, and whether
 the pose may be trusted. A frame that cannot be placed is no error, and the next one is tried again. Raises ArgumentError
@@ -103,7 +104,8 @@ void bind_odometry(py::module_& module) {
   py::class_<Tracker> type(module, "Odometry", kDoc);
   type.def(py::init(&made), py::arg("camera"), py::arg("depth_scale") = py::none());
   type.def("add", &Tracker::add, py::arg("depth"), py::arg("stamp") = py::none(), kAddDoc);
-  type.def_property_readonly("last_frame", &Tracker::last_frame, "A Frame: how the last image went; None before the first.");
+  type.def_property_readonly("last_frame", &Tracker::last_frame,
+                             "A Frame: how the last image went; None before the first.");
   type.def_property_readonly("trajectory", &Tracker::trajectory, "A Trajectory of every pose so far: a copy.");
   type.def_property_readonly(
       "options", [](const Tracker& tracker) { return values_of(odometry_options(), tracker.options()); },

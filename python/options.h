@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keyword options: a table says which of a struct's fields a name stands for. Names, types and defaults all come from it
-// and from the struct's default.
+// Keyword options: a table says which of a struct's fields a name stands for. Names, types and defaults all come from
+// it and from the struct's default.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -23,7 +23,8 @@ namespace py = pybind11;
 void take(const std::string& name, const py::handle& value, double& field);
 void take(const std::string& name, const py::handle& value, int& field);
 void take(const std::string& name, const py::handle& value, bool& field);
-void take_word(const std::string& name, const py::handle& value, const std::vector<std::string>& words, std::string& word);
+void take_word(const std::string& name, const py::handle& value, const std::vector<std::string>& words,
+               std::string& word);
 
 template <typename Value>
 void take(const std::string& name, const py::handle& value, std::optional<Value>& field) {

@@ -43,8 +43,7 @@ void require_count(const py::array& array, py::ssize_t count, const char* name) 
 
 py::array checked_structures(const py::object& given, py::ssize_t count) {
   const py::array array = as_numbers(given, "structures");
-  if (array.ndim() != 1)
-    throw std::invalid_argument("structures: expected shape (N,), found " + shape_text(array));
+  if (array.ndim() != 1) throw std::invalid_argument("structures: expected shape (N,), found " + shape_text(array));
   require_count(array, count, "structures");
   return as_reals(array);
 }

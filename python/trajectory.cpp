@@ -77,14 +77,16 @@ void bind_trajectory(py::module_& module) {
   type.def("__repr__", [](const PyTrajectory& trajectory) {
     return "Trajectory(" + std::to_string(trajectory.poses.size()) + " poses)";
   });
-  module.def("read_trajectory", &read, py::arg("path"),
-             "The Trajectory in a file of the TUM benchmark's form: timestamp tx ty tz qx qy qz qw a line. Raises FileError.");
-  module.def("write_trajectory",
-             [](const std::filesystem::path& path, const PyTrajectory& trajectory) {
-               without_gil([&](const std::stop_token&) { write_tum_trajectory(path, trajectory.poses); });
-             },
-             py::arg("path"), py::arg("trajectory"),
-             "Writes a Trajectory in that form, with every digit that is needed to read it back. Raises FileError.");
+  module.def(
+      "read_trajectory", &read, py::arg("path"),
+      "The Trajectory in a file of the TUM benchmark's form: timestamp tx ty tz qx qy qz qw a line. Raises FileError.");
+  module.def(
+      "write_trajectory",
+      [](const std::filesystem::path& path, const PyTrajectory& trajectory) {
+        without_gil([&](const std::stop_token&) { write_tum_trajectory(path, trajectory.poses); });
+      },
+      py::arg("path"), py::arg("trajectory"),
+      "Writes a Trajectory in that form, with every digit that is needed to read it back. Raises FileError.");
 }
 
 Trajectory trajectory_from(const py::object& given, const std::string& name) {

@@ -9,8 +9,8 @@
 
 namespace augicp::python {
 
-// Waits, without the GIL and in short rests, until has_ended(). Between the rests Python's signal handlers run: where one
-// raises (Ctrl-C: KeyboardInterrupt), stop is asked for, the end waited for, and the exception goes on from here.
+// Waits, without the GIL and in short rests, until has_ended(). Between the rests Python's signal handlers run: where
+// one raises (Ctrl-C: KeyboardInterrupt), stop is asked for, the end waited for, and the exception goes on from here.
 void wait_until(const std::function<bool()>& has_ended, std::stop_source& stop);
 
 // work(stop token), done by a thread of its own while this one, which must hold the GIL, waits as above. work must not

@@ -16,7 +16,8 @@ namespace py = pybind11;
 
 std::string in_capitals(std::string_view word) {
   std::string name(word);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return name;
 }
 
@@ -51,7 +52,8 @@ void bind_words(py::module_& module) {
   add(module, "MotionKind", "A motion that the data leave open: along an axis, about it, or both at once.",
       names_up_to(FreeMotion::Kind::Screw));
   add(module, "FrameStatus",
-      "What became of a frame of odometry. STARTED, TRACKED, DEGENERATE and DOUBTFUL have a pose, the others have none.",
+      "What became of a frame of odometry. STARTED, TRACKED, DEGENERATE and DOUBTFUL have a pose, the others have "
+      "none.",
       names_up_to(FrameStatus::Unreadable));
 }
 

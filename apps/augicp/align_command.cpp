@@ -99,31 +99,47 @@ void add_method_options(CLI::App& command, AlignArguments& arguments) {
   RegistrationOptions& options = arguments.registration;
   const std::string group = "Method";
   command.add_option("--preset", options.preset, "default, or paper: the source to the letter (Table 2)")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))->group(group);
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->group(group);
   command.add_option("--method", options.method, "What is minimised (default augmented)")
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
-  command.add_option("--association", options.association, "How pairs are found (default auto: projective for depth images)")
-      ->transform(CLI::CheckedTransformer(kAssociations).description("{auto,projective,nearest}"))->group(group);
-  command.add_option("--initial", arguments.initial,
-                     "Guess of T_target_source: a file, or \"tx ty tz qx qy qz qw\" (default: identity)")->group(group);
-  command.add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")->group(group);
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->group(group);
+  command
+      .add_option("--association", options.association,
+                  "How pairs are found (default auto: projective for depth images)")
+      ->transform(CLI::CheckedTransformer(kAssociations).description("{auto,projective,nearest}"))
+      ->group(group);
+  command
+      .add_option("--initial", arguments.initial,
+                  "Guess of T_target_source: a file, or \"tx ty tz qx qy qz qw\" (default: identity)")
+      ->group(group);
+  command.add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")
+      ->group(group);
   command.add_option("--voxel-size", options.voxel_size, "Thins clouds, metres (default: derived)")->group(group);
-  command.add_option("--max-distance", options.max_distance, "Farther pairs are dropped, metres (default: derived)")->group(group);
+  command.add_option("--max-distance", options.max_distance, "Farther pairs are dropped, metres (default: derived)")
+      ->group(group);
   command.add_option("--max-angle-deg", arguments.max_angle_deg, "Pairs whose directions differ by more are dropped")
-      ->capture_default_str()->group(group);
+      ->capture_default_str()
+      ->group(group);
   command.add_option("--max-iterations", options.max_iterations)->capture_default_str()->group(group);
   command.add_option("--min-step", options.min_step, "Smaller steps end it: part of the extent, radians; 0: never")
-      ->capture_default_str()->group(group);
+      ->capture_default_str()
+      ->group(group);
   command.add_option("--threads", options.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()->group(group);
+      ->capture_default_str()
+      ->group(group);
 }
 
 void add_output_options(CLI::App& command, AlignArguments& arguments) {
   const std::string group = "Output";
   command.add_option("--transform", arguments.transform, "Write T_target_source as 4x4 text")->group(group);
-  command.add_option("--output", arguments.output, "Write the source moved into the target frame (.ply or .pcd)")->group(group);
-  command.add_option("--json", arguments.json, "Write all results as JSON to a file, or to stdout with -")->group(group);
-  command.add_option("--report", arguments.page, "Write a page to look at: one HTML file, both clouds in 3D, needs no network")
+  command.add_option("--output", arguments.output, "Write the source moved into the target frame (.ply or .pcd)")
+      ->group(group);
+  command.add_option("--json", arguments.json, "Write all results as JSON to a file, or to stdout with -")
+      ->group(group);
+  command
+      .add_option("--report", arguments.page,
+                  "Write a page to look at: one HTML file, both clouds in 3D, needs no network")
       ->group(group);
   command.add_flag("--trace", arguments.trace, "Include every iteration in the JSON")->group(group);
   command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
@@ -134,11 +150,16 @@ void add_output_options(CLI::App& command, AlignArguments& arguments) {
 void add_align_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<AlignArguments>();
   CLI::App* command = app.add_subcommand("align", "Find the motion between two clouds or depth images");
-  command->add_option("source,--source", arguments->source, "The moving cloud: .ply .pcd .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")->required();
+  command
+      ->add_option("source,--source", arguments->source,
+                   "The moving cloud: .ply .pcd .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")
+      ->required();
   command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
   add_input_options(*command, arguments->input);
-  command->add_option("--source-image", arguments->source_image,
-                      "Colour or grey .png registered to the source's depth image, for --intensity")->group("Input");
+  command
+      ->add_option("--source-image", arguments->source_image,
+                   "Colour or grey .png registered to the source's depth image, for --intensity")
+      ->group("Input");
   command->add_option("--target-image", arguments->target_image, "The same for the target")->group("Input");
   add_method_options(*command, *arguments);
   add_beyond_paper(*command, arguments->registration);

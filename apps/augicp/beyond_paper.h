@@ -9,8 +9,10 @@ namespace augicp::app {
 
 // Brightness as a third measurement, for the subcommands whose inputs have any.
 inline void add_intensity(CLI::App& command, RegistrationOptions& options) {
-  command.add_flag("--intensity,!--no-intensity", options.intensity,
-                   "Brightness counts too, where both inputs have it (default: off)")->group("Beyond the paper");
+  command
+      .add_flag("--intensity,!--no-intensity", options.intensity,
+                "Brightness counts too, where both inputs have it (default: off)")
+      ->group("Beyond the paper");
 }
 
 // What of a registration goes beyond the paper's loop can be switched off, or on where it is off.

@@ -14,8 +14,9 @@ namespace {
 void refuse_options_as_values(CLI::App& app) {
   const CLI::Validator no_option(
       [](const std::string& value) {
-        return value.starts_with("--") ? fmt::format("expected a value, found {} (a file of that name is ./{})", value, value)
-                                       : std::string();
+        return value.starts_with("--")
+                   ? fmt::format("expected a value, found {} (a file of that name is ./{})", value, value)
+                   : std::string();
       },
       "");
   for (CLI::Option* option : app.get_options())

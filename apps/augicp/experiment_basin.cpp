@@ -54,34 +54,46 @@ int run(BasinArguments arguments) {
   const auto cells = run_basin(source, target, truth, options, [&] { bar.advance(); });
   write_csv(arguments.output.csv, basin_csv(cells));
   fmt::print(stderr, "{}", basin_text(cells, options));
-  write_experiment_page(arguments.output.page, {"From how far away the registration finds the truth", "Source: " + arguments.source,
-                                                "Target: " + arguments.target, basin_text(cells, options)}, basin_quantities(cells));
+  write_experiment_page(arguments.output.page,
+                        {"From how far away the registration finds the truth", "Source: " + arguments.source,
+                         "Target: " + arguments.target, basin_text(cells, options)},
+                        basin_quantities(cells));
   return kSuccess;
 }
 
 void add_options(CLI::App& command, BasinArguments& arguments) {
   const std::string starts = "Starts", method = "Method";
   BasinOptions& options = arguments.options;
-  command.add_option("--truth", arguments.truth,
-                     "T_target_source, a file (default: where the registration from the identity converges)")->group(starts);
-  command.add_option("--angles-deg", arguments.angles_deg, "Turns about the middle of the source")->delimiter(',')
-      ->capture_default_str()->group(starts);
+  command
+      .add_option("--truth", arguments.truth,
+                  "T_target_source, a file (default: where the registration from the identity converges)")
+      ->group(starts);
+  command.add_option("--angles-deg", arguments.angles_deg, "Turns about the middle of the source")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->group(starts);
   command.add_option("--distances", options.distances, "Metres")->delimiter(',')->capture_default_str()->group(starts);
-  command.add_option("--starts", options.num_starts, "For each angle and distance")->capture_default_str()->group(starts);
+  command.add_option("--starts", options.num_starts, "For each angle and distance")
+      ->capture_default_str()
+      ->group(starts);
   command.add_option("--seed", options.seed)->capture_default_str()->group(starts);
   command.add_option("--limit", arguments.limit, "Success is nearer to the truth, metres (default: the ball's radius)")
       ->group(starts);
   command.add_option("--limit-deg", arguments.limit_deg, "And within this angle (default 2)")->group(starts);
   RegistrationOptions& registration = options.registration;
   command.add_option("--preset", registration.preset, "default or paper")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))->group(method);
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->group(method);
   command.add_option("--method", registration.method, "What is minimised (default augmented)")
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(method);
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->group(method);
   command.add_option("--max-iterations", registration.max_iterations)->capture_default_str()->group(method);
-  command.add_option("--max-distance", registration.max_distance, "Farther pairs are dropped, metres (default: derived)")
+  command
+      .add_option("--max-distance", registration.max_distance, "Farther pairs are dropped, metres (default: derived)")
       ->group(method);
   command.add_option("--threads", registration.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()->group(method);
+      ->capture_default_str()
+      ->group(method);
 }
 
 }  // namespace
@@ -98,7 +110,8 @@ void add_basin_experiment(CLI::App& experiment, int& exit_code) {
   add_intensity(*command, arguments->options.registration);
   add_experiment_output(*command, arguments->output);
   command->footer(
-      "CSV: share of starts that end at the truth, and mean iterations, for each angle and distance. The mean of the share\n"
+      "CSV: share of starts that end at the truth, and mean iterations, for each angle and distance. The mean of the "
+      "share\n"
       "over the surface, straight between the cells, is printed to stderr.\n"
       "Examples:\n"
       "  augicp experiment basin scan_b.ply scan_a.ply --truth T.txt --output basin.csv\n"

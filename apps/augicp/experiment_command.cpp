@@ -11,11 +11,15 @@ namespace augicp::app {
 
 void add_experiment_output(CLI::App& command, ExperimentOutput& output) {
   const std::string group = "Output";
-  command.add_option("--output", output.csv, "Write the CSV to a file, or to stdout with -")->capture_default_str()
+  command.add_option("--output", output.csv, "Write the CSV to a file, or to stdout with -")
+      ->capture_default_str()
       ->group(group);
-  command.add_option("--report", output.page, "Write a page to look at: one HTML file with the curves, needs no network")->group(group);
+  command
+      .add_option("--report", output.page, "Write a page to look at: one HTML file with the curves, needs no network")
+      ->group(group);
   command.add_option("--progress", output.progress, "A bar on the terminal: auto or none (default auto)")
-      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))->group(group);
+      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))
+      ->group(group);
 }
 
 void write_csv(const std::string& destination, const std::string& text) {
@@ -26,7 +30,8 @@ void write_csv(const std::string& destination, const std::string& text) {
 }
 
 void add_experiment_command(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("experiment", "Measure how registration converges: the paper's tables, and more");
+  CLI::App* command =
+      app.add_subcommand("experiment", "Measure how registration converges: the paper's tables, and more");
   command->require_subcommand(1);
   add_synthetic_experiment(*command, exit_code);
   add_sequence_experiment(*command, exit_code);

@@ -47,7 +47,8 @@ std::vector<double> offsets_s(const DepthSequence& sequence, const DepthCamera& 
   std::vector<double> offsets;
   for (const std::string& word : arguments.time_offsets) {
     const auto number = parse_double(word);
-    if (word != kAuto && !(number && std::isfinite(*number))) throw std::invalid_argument("--time-offset " + word + ": must be seconds or auto");
+    if (word != kAuto && !(number && std::isfinite(*number)))
+      throw std::invalid_argument("--time-offset " + word + ": must be seconds or auto");
     offsets.push_back(number ? *number : measured_offset(sequence, camera, arguments));
   }
   return offsets;
@@ -74,31 +75,49 @@ int run(const SequenceArguments& arguments) {
 void add_input(CLI::App& command, SequenceArguments& arguments) {
   SequenceOptions& options = arguments.options;
   const std::string group = "Input";
-  command.add_option("--camera", arguments.camera, "A file, a name or numbers, as in `augicp odometry` (default: the folder's)")
+  command
+      .add_option("--camera", arguments.camera,
+                  "A file, a name or numbers, as in `augicp odometry` (default: the folder's)")
       ->group(group);
-  command.add_option("--depth-scale", arguments.depth_scale, "Pixel value of one metre (default: the layout's)")->group(group);
-  command.add_option("--gaps", options.gaps, "Frames from target to source")->delimiter(',')->capture_default_str()
+  command.add_option("--depth-scale", arguments.depth_scale, "Pixel value of one metre (default: the layout's)")
+      ->group(group);
+  command.add_option("--gaps", options.gaps, "Frames from target to source")
+      ->delimiter(',')
+      ->capture_default_str()
       ->group(group);
   command.add_option("--every", options.every, "Every so many frames is a target")->capture_default_str()->group(group);
-  command.add_option("--pairs", options.max_targets, "At most so many targets, evenly spread (default: all)")->group(group);
+  command.add_option("--pairs", options.max_targets, "At most so many targets, evenly spread (default: all)")
+      ->group(group);
   command.add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows")
-      ->capture_default_str()->group(group);
-  command.add_option("--time-offset", arguments.time_offsets,
-                     "Truth is read at stamp + offset: seconds, or auto: found from registrations; several: rows for each")
-      ->delimiter(',')->capture_default_str()->group(group);
-  command.add_flag("--from-truth", arguments.from_truth, "Start at the true motion, at the first offset, not at the identity")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--time-offset", arguments.time_offsets,
+                  "Truth is read at stamp + offset: seconds, or auto: found from registrations; several: rows for each")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_flag("--from-truth", arguments.from_truth,
+                "Start at the true motion, at the first offset, not at the identity")
       ->group(group);
 }
 
 void add_method(CLI::App& command, SequenceOptions& options) {
   const std::string group = "Method";
-  command.add_option("--presets", options.presets, "Any of default,paper (default both)")->delimiter(',')
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))->group(group);
-  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")->delimiter(',')
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
-  command.add_option("--surroundings", options.surroundings,
-                     "Surfaces from: window of 3D size (default), square of pixels as in the paper, exact ball (slow)")
-      ->transform(CLI::CheckedTransformer(kSurroundings).description("{window,square,ball}"))->group(group);
+  command.add_option("--presets", options.presets, "Any of default,paper (default both)")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->group(group);
+  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->group(group);
+  command
+      .add_option("--surroundings", options.surroundings,
+                  "Surfaces from: window of 3D size (default), square of pixels as in the paper, exact ball (slow)")
+      ->transform(CLI::CheckedTransformer(kSurroundings).description("{window,square,ball}"))
+      ->group(group);
   RegistrationOptions& registration = options.registration;
   command.add_option("--radius", registration.radius, "Ball for surface statistics, metres (default: derived)")
       ->group(group);
@@ -125,7 +144,8 @@ void add_overrides(CLI::App& command, RegistrationOptions& registration) {
 
 void add_sequence_experiment(CLI::App& experiment, int& exit_code) {
   const auto arguments = std::make_shared<SequenceArguments>();
-  CLI::App* command = experiment.add_subcommand("sequence", "Pairs of a sequence some frames apart (the paper's Table 3)");
+  CLI::App* command =
+      experiment.add_subcommand("sequence", "Pairs of a sequence some frames apart (the paper's Table 3)");
   command->add_option("sequence,--sequence", arguments->folder, "A folder with depth images and their true trajectory")
       ->required();
   add_input(*command, *arguments);
@@ -133,11 +153,13 @@ void add_sequence_experiment(CLI::App& experiment, int& exit_code) {
   add_overrides(*command, arguments->options.registration);
   add_beyond_paper(*command, arguments->options.registration);
   add_experiment_output(*command, arguments->output);
-  command->add_option("--curves", arguments->curves, "Write the errors of every single registration as CSV")->group("Output");
+  command->add_option("--curves", arguments->curves, "Write the errors of every single registration as CSV")
+      ->group("Output");
   command->footer(
       "Guess: identity. Success is within 5 cm and 2 degrees, narrow success within 2 cm and 1 degree.\n"
       "Examples:\n"
-      "  augicp experiment sequence rgbd_dataset_freiburg1_desk --camera tum-fr1 --output table3.csv --report table3.html\n"
+      "  augicp experiment sequence rgbd_dataset_freiburg1_desk --camera tum-fr1 --output table3.csv --report "
+      "table3.html\n"
       "  augicp experiment sequence rgbd_dataset_freiburg1_360 --camera tum-fr1 --pairs 30 --time-offset 0,auto\n"
       "  augicp experiment sequence chess/seq-01 --gaps 10 --presets paper --lever 0.2 --curves curves.csv");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -30,7 +30,8 @@ int run(SyntheticArguments arguments) {
   ProgressBar bar(num_runs(options), "scenes", arguments.output.progress);
   const std::vector<SyntheticRow> rows = run_synthetic(options, [&] { bar.advance(); });
   write_csv(arguments.output.csv, synthetic_csv(rows));
-  write_experiment_page(arguments.output.page, {"Known pairs, a share of them false: mean error over the seeds, with its 95 % interval"},
+  write_experiment_page(arguments.output.page,
+                        {"Known pairs, a share of them false: mean error over the seeds, with its 95 % interval"},
                         synthetic_quantities(rows));
   return kSuccess;
 }
@@ -39,30 +40,43 @@ void add_options(CLI::App& command, SyntheticArguments& arguments) {
   SyntheticOptions& options = arguments.options;
   const std::string scene = "Scene", method = "Method";
   command.add_option("--points", options.num_points)->capture_default_str()->group(scene);
-  command.add_option("--outliers-percent", arguments.outliers_percent, "Share of false pairs")->delimiter(',')
-      ->capture_default_str()->group(scene);
-  command.add_option("--point-noise", options.point_noises, "Standard deviation of each coordinate, metres")->delimiter(',')
-      ->capture_default_str()->group(scene);
-  command.add_option("--normal-noise-deg", arguments.normal_noises_deg, "Standard deviation of directions")->delimiter(',')
-      ->capture_default_str()->group(scene);
+  command.add_option("--outliers-percent", arguments.outliers_percent, "Share of false pairs")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->group(scene);
+  command.add_option("--point-noise", options.point_noises, "Standard deviation of each coordinate, metres")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->group(scene);
+  command.add_option("--normal-noise-deg", arguments.normal_noises_deg, "Standard deviation of directions")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->group(scene);
   command.add_option("--seeds", options.num_seeds, "So many scenes and motions")->capture_default_str()->group(scene);
   command.add_option("--seed", options.first_seed, "The first of them")->capture_default_str()->group(scene);
-  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")->delimiter(',')
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(method);
+  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")
+      ->delimiter(',')
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->group(method);
   command.add_option("--preset", options.preset, "paper or default (default paper)")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))->group(method);
-  command.add_option("--kernel", options.kernel_chi2, "K of Eq. (13), in units of chi2 (default: the preset's; the paper's is 1)")
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->group(method);
+  command
+      .add_option("--kernel", options.kernel_chi2,
+                  "K of Eq. (13), in units of chi2 (default: the preset's; the paper's is 1)")
       ->group(method);
   command.add_option("--iterations", options.iterations)->capture_default_str()->group(method);
   command.add_option("--threads", options.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()->group(method);
+      ->capture_default_str()
+      ->group(method);
 }
 
 }  // namespace
 
 void add_synthetic_experiment(CLI::App& experiment, int& exit_code) {
   const auto arguments = std::make_shared<SyntheticArguments>();
-  CLI::App* command = experiment.add_subcommand("synthetic", "Known pairs, a share of them false (the paper's Table 4)");
+  CLI::App* command =
+      experiment.add_subcommand("synthetic", "Known pairs, a share of them false (the paper's Table 4)");
   add_options(*command, *arguments);
   add_experiment_output(*command, arguments->output);
   command->footer(

@@ -40,7 +40,8 @@ nlohmann::ordered_json info_json(const std::string& file, const Input& input) {
 
 std::string info_text(const nlohmann::ordered_json& info) {
   const auto triple = [&](const char* key) {
-    return fmt::format("{:.6g} {:.6g} {:.6g}", info[key][0].get<double>(), info[key][1].get<double>(), info[key][2].get<double>());
+    return fmt::format("{:.6g} {:.6g} {:.6g}", info[key][0].get<double>(), info[key][1].get<double>(),
+                       info[key][2].get<double>());
   };
   const auto& lengths = info["derived_lengths"];
   return fmt::format(

@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
     end_on_signals();
     const int code = run(argc, argv);
     // A full disk behind a redirection must not look like success.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail("standard output cannot be written", kInvalidInput);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      return fail("standard output cannot be written", kInvalidInput);
     return code;
   } catch (const augicp::IoError& error) {
     return fail(error.what(), kInvalidInput);

@@ -57,8 +57,8 @@ std::vector<FrameRow> chosen_frames(const DepthSequence& sequence, const Odometr
   for (std::size_t i = arguments.first; i < end; i += std::min(arguments.every, end - i))
     rows.push_back({i, sequence.frames[i].path, {}, 0.0});
   if (rows.empty())
-    throw std::invalid_argument(fmt::format("--first {} --last {}: no frame of the sequence's {} is chosen", arguments.first,
-                                            arguments.last, sequence.frames.size()));
+    throw std::invalid_argument(fmt::format("--first {} --last {}: no frame of the sequence's {} is chosen",
+                                            arguments.first, arguments.last, sequence.frames.size()));
   return rows;
 }
 
@@ -81,7 +81,8 @@ void compare_with_truth(const Trajectory& truth, const OdometryArguments& argume
 // models: filled for the frames that the page keeps, where one is asked for.
 OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& camera, const OdometryArguments& arguments,
                            std::vector<KeptModel>& models) {
-  OdometryRun run{arguments.sequence, sequence.layout, chosen_frames(sequence, arguments), 0.0, {}, sequence.truth_problem};
+  OdometryRun run{arguments.sequence,    sequence.layout, chosen_frames(sequence, arguments), 0.0, {},
+                  sequence.truth_problem};
   std::vector<DepthFrameFile> files;
   for (const FrameRow& row : run.rows) files.push_back(sequence.frames[row.frame]);
   DepthSequenceReader reader(std::move(files), arguments.depth_scale.value_or(sequence.depth_scale));
@@ -166,40 +167,60 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   if (!arguments.page.empty()) write_odometry_page(arguments.page, {run, sequence, depth_scale, models});
   if (arguments.json == "-") write_json("-", metrics_json(run));
   if (!arguments.quiet && arguments.json != "-")
-    fmt::print("{}output     {}: trajectory.txt metrics.json frames.csv config.toml\n", summary_text(run), folder.string());
+    fmt::print("{}output     {}: trajectory.txt metrics.json frames.csv config.toml\n", summary_text(run),
+               folder.string());
   return exit_code_for(run);
 }
 
 void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
   const std::string group = "Input";
-  command.add_option("--camera", arguments.camera,
-                     fmt::format("A file, numbers \"fx fy cx cy [k1 k2 p1 p2 k3]\", or one of {} (default: the folder's)",
-                                 fmt::join(camera_names(), " ")))->group(group);
-  command.add_option("--depth-scale", arguments.depth_scale, "Pixel value of one metre (default: TUM 5000, others 1000)")
+  command
+      .add_option("--camera", arguments.camera,
+                  fmt::format("A file, numbers \"fx fy cx cy [k1 k2 p1 p2 k3]\", or one of {} (default: the folder's)",
+                              fmt::join(camera_names(), " ")))
       ->group(group);
-  command.add_option("--readout", arguments.readout_s,
-                     "Rolling shutter: seconds from the first row to the last (default: the camera's; 0: none)")->group(group);
-  command.add_option("--max-depth", arguments.odometry.range.max, "Farther readings are not used, metres (default: none)")
+  command
+      .add_option("--depth-scale", arguments.depth_scale, "Pixel value of one metre (default: TUM 5000, others 1000)")
+      ->group(group);
+  command
+      .add_option("--readout", arguments.readout_s,
+                  "Rolling shutter: seconds from the first row to the last (default: the camera's; 0: none)")
+      ->group(group);
+  command
+      .add_option("--max-depth", arguments.odometry.range.max, "Farther readings are not used, metres (default: none)")
       ->group(group);
   command.add_option("--rate", arguments.frames_per_s, "Frames a second where the folder has no time stamps")
-      ->capture_default_str()->group(group);
-  command.add_option("--first", arguments.first, "The first frame: its place in the sequence, from 0")->capture_default_str()->group(group);
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--first", arguments.first, "The first frame: its place in the sequence, from 0")
+      ->capture_default_str()
+      ->group(group);
   command.add_option("--last", arguments.last, "The frame to stop before (default: all)")->group(group);
-  command.add_option("--every", arguments.every, "Use every so many frames")->check(CLI::Range(1, 1'000'000'000))
-      ->capture_default_str()->group(group);
+  command.add_option("--every", arguments.every, "Use every so many frames")
+      ->check(CLI::Range(1, 1'000'000'000))
+      ->capture_default_str()
+      ->group(group);
 }
 
 void add_method_options(CLI::App& command, OdometryOptions& options) {
   const std::string group = "Method";
   command.add_option("--reference", options.reference, "What a frame is registered to")
-      ->default_str("model")->transform(CLI::CheckedTransformer(kReferences).description("{model,previous}"))->group(group);
+      ->default_str("model")
+      ->transform(CLI::CheckedTransformer(kReferences).description("{model,previous}"))
+      ->group(group);
   command.add_option("--method", options.registration.method, "What is minimised")
-      ->default_str("augmented")->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))->group(group);
-  command.add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows; 0: as leaves 160 columns")
-      ->capture_default_str()->group(group);
+      ->default_str("augmented")
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->group(group);
+  command
+      .add_option("--pixel-step", options.pixel_step,
+                  "Use every so many pixels of every so many rows; 0: as leaves 160 columns")
+      ->capture_default_str()
+      ->group(group);
   command.add_option("--max-iterations", options.registration.max_iterations)->capture_default_str()->group(group);
   command.add_option("--threads", options.registration.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()->group(group);
+      ->capture_default_str()
+      ->group(group);
 }
 
 void add_output_options(CLI::App& command, OdometryArguments& arguments) {
@@ -207,12 +228,17 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
   command.add_option("--output", arguments.output, "Folder for the results, made if missing (default: NAME_odometry)")
       ->group(group);
   command.add_option("--time-offset", arguments.time_offset_s, "Truth is read at stamp + offset, seconds")
-      ->capture_default_str()->group(group);
-  command.add_option("--report", arguments.page, "Write a page to look at: one HTML file, needs no network")->group(group);
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--report", arguments.page, "Write a page to look at: one HTML file, needs no network")
+      ->group(group);
   command.add_option("--json", arguments.json, "With -: print metrics.json to stdout")
-      ->check(CLI::IsMember({"-"}))->group(group);
+      ->check(CLI::IsMember({"-"}))
+      ->group(group);
   command.add_option("--progress", arguments.progress, "A bar with the frame rate on stderr, if that is a terminal")
-      ->default_str("auto")->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))->group(group);
+      ->default_str("auto")
+      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))
+      ->group(group);
   command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
 }
 
@@ -221,8 +247,10 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
 void add_odometry_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<OdometryArguments>();
   CLI::App* command = app.add_subcommand("odometry", "Track a depth camera through a folder of images");
-  command->add_option("sequence,--sequence", arguments->sequence,
-                      "A folder: TUM (depth.txt), 7-Scenes (frame-000000.depth.png), or numbered .png images")->required();
+  command
+      ->add_option("sequence,--sequence", arguments->sequence,
+                   "A folder: TUM (depth.txt), 7-Scenes (frame-000000.depth.png), or numbered .png images")
+      ->required();
   add_sequence_options(*command, *arguments);
   add_method_options(*command, arguments->odometry);
   add_output_options(*command, *arguments);
@@ -232,9 +260,7 @@ void add_odometry_command(CLI::App& app, int& exit_code) {
       "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk --report desk.html\n"
       "  augicp odometry chess/seq-01 --last 500\n"
       "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
-  command->callback([arguments, command, &exit_code] {
-    exit_code = run_odometry(*arguments, *command);
-  });
+  command->callback([arguments, command, &exit_code] { exit_code = run_odometry(*arguments, *command); });
 }
 
 }  // namespace augicp::app

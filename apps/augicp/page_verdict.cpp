@@ -19,8 +19,9 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
   const Testimony &one = evidence.source_in_target, &other = evidence.target_in_source;
   switch (doubt) {
     case Doubt::LittleSeen:
-      return fmt::format("Little is seen of the other cloud: {:.1f} % and {:.1f} %; {:.0f} % are asked for, more where less agrees.",
-                         100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_margin);
+      return fmt::format(
+          "Little is seen of the other cloud: {:.1f} % and {:.1f} %; {:.0f} % are asked for, more where less agrees.",
+          100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_margin);
     case Doubt::Disagreement:
       return fmt::format("Of what is seen, only {:.1f} % and {:.1f} % lie on the other's surface.",
                          100.0 * one.agreeing(), 100.0 * other.agreeing());
@@ -28,9 +29,10 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
       return fmt::format("{:.1f} % and {:.1f} % lie where the other's camera saw through; at most {:.0f} % may.",
                          100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting);
     case Doubt::BarePlanes:
-      return fmt::format("Only {:.1f} % of what agrees lies off three bare planes, which fit any other three, and the guess "
-                         "was {:.1f} radii of gyration away.",
-                         100.0 * evidence.beyond_planes, evidence.moved);
+      return fmt::format(
+          "Only {:.1f} % of what agrees lies off three bare planes, which fit any other three, and the guess "
+          "was {:.1f} radii of gyration away.",
+          100.0 * evidence.beyond_planes, evidence.moved);
   }
   return {};
 }

@@ -10,8 +10,8 @@
 namespace augicp::app {
 namespace {
 
-constexpr std::size_t kWidth = 30;                 // characters of the bar
-constexpr double kBetweenDrawings_ms = 100.0;      // fast enough to read, too slow to cost anything
+constexpr std::size_t kWidth = 30;             // characters of the bar
+constexpr double kBetweenDrawings_ms = 100.0;  // fast enough to read, too slow to cost anything
 constexpr const char* kClearLine = "\r\033[K";
 
 }  // namespace

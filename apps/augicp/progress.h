@@ -20,8 +20,8 @@ class Stopwatch {
 
 enum class Progress { Auto, None };
 
-// A bar on stderr with the share done, the rate and the time left. Nothing where stderr is not a terminal or Progress is
-// None.
+// A bar on stderr with the share done, the rate and the time left. Nothing where stderr is not a terminal or Progress
+// is None.
 class ProgressBar {
  public:
   ProgressBar(std::size_t total, std::string unit, Progress progress);

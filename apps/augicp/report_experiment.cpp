@@ -38,7 +38,8 @@ std::string sequence_csv(std::span<const SequenceCurve> curves, const Trajectory
                          const std::vector<double>& time_offsets_s) {
   std::string text =
       "time_offset_s,gap,preset,method,iteration,pairs,translation_mean,translation_median,translation_p10,"
-      "translation_p90,rotation_deg_mean,rotation_deg_median,rotation_deg_p10,rotation_deg_p90,success,success_narrow\n";
+      "translation_p90,rotation_deg_mean,rotation_deg_median,rotation_deg_p10,rotation_deg_p90,success,success_"
+      "narrow\n";
   for (const double offset_s : time_offsets_s)
     for (const SequenceRow& row : summarize(curves, truth, offset_s))
       text += fmt::format("{},{},{},{},{},{},{}\n", kind(row.time_offset_s, row.gap, row.preset, row.method),
@@ -55,9 +56,9 @@ std::string curves_csv(std::span<const SequenceCurve> curves, const Trajectory& 
       const auto motion = true_motion(curve, truth, offset_s);
       for (std::size_t i = 0; motion && i < curve.path.size(); ++i) {
         const PoseError error = pose_error(curve.path[i], *motion);
-        text += fmt::format("{},{},{},{},{},{},{}\n", kind(offset_s, curve.gap(), curve.preset, curve.method),
-                            curve.target, curve.source, name_of(curve.status), i, error.translation,
-                            kDegrees * error.rotation);
+        text +=
+            fmt::format("{},{},{},{},{},{},{}\n", kind(offset_s, curve.gap(), curve.preset, curve.method), curve.target,
+                        curve.source, name_of(curve.status), i, error.translation, kDegrees * error.rotation);
       }
     }
   return text;
@@ -66,7 +67,8 @@ std::string curves_csv(std::span<const SequenceCurve> curves, const Trajectory& 
 std::string basin_csv(const std::vector<BasinCell>& cells) {
   std::string text = "angle_deg,distance,success,mean_iterations\n";
   for (const BasinCell& cell : cells)
-    text += fmt::format("{:g},{},{},{}\n", kDegrees * cell.angle_rad, cell.distance, cell.success, cell.mean_iterations);
+    text +=
+        fmt::format("{:g},{},{},{}\n", kDegrees * cell.angle_rad, cell.distance, cell.success, cell.mean_iterations);
   return text;
 }
 
@@ -79,8 +81,8 @@ std::string time_offset_text(const TimeOffset& found) {
 }
 
 std::string basin_text(const std::vector<BasinCell>& cells, const BasinOptions& options) {
-  return fmt::format("success within {:.4g} m and {:.4g} deg, mean over the surface: {:.4f}\n", options.limit->translation,
-                     kDegrees * options.limit->rotation, area_under(cells, options));
+  return fmt::format("success within {:.4g} m and {:.4g} deg, mean over the surface: {:.4f}\n",
+                     options.limit->translation, kDegrees * options.limit->rotation, area_under(cells, options));
 }
 
 }  // namespace augicp::app

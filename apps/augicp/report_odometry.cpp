@@ -11,13 +11,13 @@
 namespace augicp::app {
 namespace {
 
-constexpr std::array kStatuses{FrameStatus::Started,    FrameStatus::Tracked,    FrameStatus::Degenerate,
-                               FrameStatus::Doubtful,   FrameStatus::Lost,       FrameStatus::NoReadings,
+constexpr std::array kStatuses{FrameStatus::Started,    FrameStatus::Tracked,   FrameStatus::Degenerate,
+                               FrameStatus::Doubtful,   FrameStatus::Lost,      FrameStatus::NoReadings,
                                FrameStatus::OutOfOrder, FrameStatus::Unreadable};
 
 std::size_t num_with(const OdometryRun& run, FrameStatus status) {
-  return static_cast<std::size_t>(std::count_if(
-      run.rows.begin(), run.rows.end(), [&](const FrameRow& row) { return row.report.status == status; }));
+  return static_cast<std::size_t>(std::count_if(run.rows.begin(), run.rows.end(),
+                                                [&](const FrameRow& row) { return row.report.status == status; }));
 }
 
 double median_time_ms(const OdometryRun& run) {
@@ -63,13 +63,15 @@ Trajectory trajectory_of(const OdometryRun& run) {
 }
 
 std::string frames_csv(const OdometryRun& run) {
-  std::string text = "frame,stamp_s,image,status,segment,keyframe,registration,pairs,iterations,overlap,rmse,strain,time_ms,problem\n";
+  std::string text =
+      "frame,stamp_s,image,status,segment,keyframe,registration,pairs,iterations,overlap,rmse,strain,time_ms,problem\n";
   for (const FrameRow& row : run.rows) {
     const FrameReport& report = row.report;
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.4g},{:.3f},{}\n", row.frame, report.stamp_s,
                         in_csv(row.image.filename().string()), name_of(report.status), report.segment,
-                        report.is_keyframe ? 1 : 0, report.registration ? name_of(*report.registration) : "", report.num_pairs,
-                        report.iterations, report.overlap, report.rmse, report.strain, row.time_ms, in_csv(report.problem));
+                        report.is_keyframe ? 1 : 0, report.registration ? name_of(*report.registration) : "",
+                        report.num_pairs, report.iterations, report.overlap, report.rmse, report.strain, row.time_ms,
+                        in_csv(report.problem));
   }
   return text;
 }
@@ -93,13 +95,14 @@ std::string summary_text(const OdometryRun& run) {
   text += fmt::format("frames     {}\n", counts_text(run));
   text += fmt::format("time       {:.1f} s, {:.1f} frames/s, median {:.1f} ms a frame\n", run.total_ms / 1000.0,
                       frames_per_s(run), median_time_ms(run));
-  const auto with_problem = std::find_if(run.rows.begin(), run.rows.end(),
-                                         [](const FrameRow& row) { return !row.report.problem.empty(); });
+  const auto with_problem =
+      std::find_if(run.rows.begin(), run.rows.end(), [](const FrameRow& row) { return !row.report.problem.empty(); });
   if (with_problem != run.rows.end()) text += fmt::format("problem    {}\n", with_problem->report.problem);
   if (!mostly_tracked(run)) text += "warning    less than half of the frames could be tracked\n";
   if (num_segments(run) > 1)
-    text += fmt::format("warning    the camera was lost: the trajectory has {} segments with no measured motion between them\n",
-                        num_segments(run));
+    text += fmt::format(
+        "warning    the camera was lost: the trajectory has {} segments with no measured motion between them\n",
+        num_segments(run));
   if (run.evaluation) text += evaluation_text(*run.evaluation);
   if (!run.evaluation_problem.empty()) text += fmt::format("truth      not compared: {}\n", run.evaluation_problem);
   return text;

@@ -70,8 +70,10 @@ std::string free_motions_text(const AlignResult& result) {
 
 nlohmann::ordered_json testimony_json(const Testimony& testimony) {
   const Agreement& count = testimony.count;
-  return {{"seen", testimony.seen()},       {"agreeing", testimony.agreeing()},
-          {"conflicting", testimony.conflicting()}, {"knows_free_space", testimony.knows_free_space},
+  return {{"seen", testimony.seen()},
+          {"agreeing", testimony.agreeing()},
+          {"conflicting", testimony.conflicting()},
+          {"knows_free_space", testimony.knows_free_space},
           {"num_points", count.total()}};
 }
 
@@ -148,7 +150,8 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
       {"rmse", result.rmse},
       {"information", matrix_json(result.information)},
       {"covariance", result.covariance ? matrix_json(*result.covariance) : nlohmann::ordered_json(nullptr)},
-      {"observability", std::vector<double>(result.observability.information.begin(), result.observability.information.end())},
+      {"observability",
+       std::vector<double>(result.observability.information.begin(), result.observability.information.end())},
       {"timing_ms",
        {{"read", report.timing_ms.read}, {"surface", report.timing_ms.surface}, {"align", report.timing_ms.align}}}};
   if (report.options.intensity)
@@ -165,7 +168,8 @@ std::string to_text(const AlignReport& report) {
   const AlignResult& result = report.result;
   std::string text = fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iterations: {}\n", report.source,
                                  report.target, name_of(result.status), result.iterations, advice_for(result.status));
-  text += fmt::format("pairs    {}, overlap {:.1f} %, rmse {:.4g} m\n", result.num_pairs, 100.0 * result.overlap, result.rmse);
+  text += fmt::format("pairs    {}, overlap {:.1f} %, rmse {:.4g} m\n", result.num_pairs, 100.0 * result.overlap,
+                      result.rmse);
   if (report.options.intensity)
     text += result.num_intensity_pairs > 0
                 ? fmt::format("         of these, {} by their brightness too\n", result.num_intensity_pairs)
@@ -180,7 +184,8 @@ std::string to_text(const AlignReport& report) {
   text += "T_target_source (maps source coordinates into the target frame)\n";
   const Mat4d matrix = result.target_from_source.matrix();
   for (int i = 0; i < 4; ++i)
-    text += fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
+    text +=
+        fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
   return text;
 }
 

@@ -37,12 +37,12 @@ std::string verdict_csv(std::span<const VerdictPair> pairs) {
 }
 
 std::string confusion_text(const std::vector<ConfusionRow>& rows) {
-  std::string text = fmt::format("{:<21}{:>7}{:>11}{:>10}{:>12}{:>17}{:>8}   {}\n", "pairs", "", "converged", "doubtful",
-                                 "degenerate", "iteration_limit", "failed", "loop alone: converged");
+  std::string text = fmt::format("{:<21}{:>7}{:>11}{:>10}{:>12}{:>17}{:>8}   {}\n", "pairs", "", "converged",
+                                 "doubtful", "degenerate", "iteration_limit", "failed", "loop alone: converged");
   for (const ConfusionRow& row : rows)
     text += fmt::format("{:<21}{:>7}{:>11}{:>10}{:>12}{:>17}{:>8}   {}\n", name_of(row.truth), row.num_pairs,
-                        row.num_converged, row.num_doubtful, row.num_degenerate, row.num_iteration_limit, row.num_failed,
-                        row.num_converged_without_verdict);
+                        row.num_converged, row.num_doubtful, row.num_degenerate, row.num_iteration_limit,
+                        row.num_failed, row.num_converged_without_verdict);
   return text;
 }
 

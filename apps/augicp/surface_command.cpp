@@ -47,14 +47,15 @@ int run_surface(const SurfaceArguments& arguments) {
   scan.cloud.directions.clear();  // asked for ours, not for what the file brought
   scan.cloud.structures.clear();
   const Lengths lengths = lengths_for(scan, scan, arguments.registration);
-  if (!(lengths.radius > 0.0)) throw IoError(arguments.input_file + ": all points lie in one place, there is no surface");
+  if (!(lengths.radius > 0.0))
+    throw IoError(arguments.input_file + ": all points lie in one place, there is no surface");
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
   std::vector<Colour> colours(cloud.size(), colour_of(Structure::None));
   std::transform(cloud.structures.begin(), cloud.structures.end(), colours.begin(), colour_of);
   write_whole([&] { write_ply(arguments.output, cloud, colours); });
   if (!arguments.quiet)
-    fmt::print("points   {}, ball radius {:.4g} m\nplanar   {:.1f} %\nedge     {:.1f} %\nnone     {:.1f} %\n", cloud.size(),
-               lengths.radius, percent(cloud, Structure::Planar), percent(cloud, Structure::Edge),
+    fmt::print("points   {}, ball radius {:.4g} m\nplanar   {:.1f} %\nedge     {:.1f} %\nnone     {:.1f} %\n",
+               cloud.size(), lengths.radius, percent(cloud, Structure::Planar), percent(cloud, Structure::Edge),
                percent(cloud, Structure::None));
   return kSuccess;
 }
@@ -64,14 +65,17 @@ int run_surface(const SurfaceArguments& arguments) {
 void add_surface_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<SurfaceArguments>();
   RegistrationOptions& options = arguments->registration;
-  CLI::App* command = app.add_subcommand("surface", "Write the extended points: normals, tangents, structure as colour");
+  CLI::App* command =
+      app.add_subcommand("surface", "Write the extended points: normals, tangents, structure as colour");
   command->add_option("input", arguments->input_file, "A cloud or a depth image")->required();
   command->add_option("--output", arguments->output, "The .ply to write")->required()->group("Output");
   command->add_flag("--quiet", arguments->quiet, "Print nothing but errors")->group("Output");
   add_input_options(*command, arguments->input);
   command->add_option("--preset", options.preset, "default, or paper: structure from the points' eigenvalues alone")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))->group("Method");
-  command->add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")->group("Method");
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->group("Method");
+  command->add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")
+      ->group("Method");
   command->add_option("--voxel-size", options.voxel_size, "Thins clouds, metres (default: derived)")->group("Method");
   command->add_option("--threads", options.num_threads, "0: all")->capture_default_str()->group("Method");
   command->footer(

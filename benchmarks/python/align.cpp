@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C++ half of overhead.py: registers two clouds once for each line on standard input, and answers with the time it took,
-// by the clock and of all threads together, in seconds, and the first number of the pose.
+// The C++ half of overhead.py: registers two clouds once for each line on standard input, and answers with the time it
+// took, by the clock and of all threads together, in seconds, and the first number of the pose.
 //
 //   python_overhead_cpp SOURCE TARGET VOXEL_SIZE THREADS
 #include <chrono>

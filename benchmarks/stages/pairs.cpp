@@ -64,7 +64,8 @@ void chi2(benchmark::State& state) {
                                            static_cast<int>(state.range(1))));
   const double pairs = static_cast<double>(at.pairs.size());
   // Places and their errors, 21 doubles; directions and their errors 18, chi2 32.
-  set_counters(state, {.items = pairs, .bytes = (kBytesPerPair + 8.0) * pairs, .float_operations = (2.0 * 21.0 + 50.0) * pairs});
+  set_counters(
+      state, {.items = pairs, .bytes = (kBytesPerPair + 8.0) * pairs, .float_operations = (2.0 * 21.0 + 50.0) * pairs});
 }
 BENCHMARK(chi2)->ArgNames({"step", "threads"})->ArgsProduct({{4, 1}, {1}})->Unit(kMs);
 BENCHMARK(chi2)->ArgNames({"step", "threads"})->ArgsProduct({{4, 1}, {2}})->Unit(kMs)->UseRealTime();
@@ -77,7 +78,8 @@ void linearize_pairs(benchmark::State& state, const InformationModel& model) {
         linearize(at.source.cloud, at.target.cloud, at.pairs, Rigid3{}, objective, static_cast<int>(state.range(1))));
   const double pairs = static_cast<double>(at.pairs.size());
   // As for chi2; two losses 60, products 150, sums 31.
-  set_counters(state, {.items = pairs, .bytes = kBytesPerPair * pairs, .float_operations = (2.0 * 21.0 + 291.0) * pairs});
+  set_counters(state,
+               {.items = pairs, .bytes = kBytesPerPair * pairs, .float_operations = (2.0 * 21.0 + 291.0) * pairs});
 }
 BENCHMARK_CAPTURE(linearize_pairs, augmented, default_information())
     ->ArgNames({"step", "threads"})

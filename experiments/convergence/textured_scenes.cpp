@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Scenes whose shape leaves motions open, with a texture of growing contrast: how often the pose is held, with and without
-// intensity, and how far it is from the truth. A Kinect's depth noise, brightness from 0 to 1 with a noise of 0.01, another exposure
-// in the source, 3 cm and 1.7 degrees between the images.
+// Scenes whose shape leaves motions open, with a texture of growing contrast: how often the pose is held, with and
+// without intensity, and how far it is from the truth. A Kinect's depth noise, brightness from 0 to 1 with a noise of
+// 0.01, another exposure in the source, 3 cm and 1.7 degrees between the images.
 //
 //   textured_scenes [NUM_PAIRS]    prints the table of docs/convergence.md
 #include <algorithm>
@@ -67,8 +67,8 @@ void print_row(const Place& place, double contrast, bool intensity, unsigned num
     errors.push_back((result.target_from_source.translation - motion.translation).norm());
   }
   std::sort(errors.begin(), errors.end());
-  std::printf("| %s | %.2f | %s | %u | %u | %.1f | %.1f |\n", place.name, contrast, intensity ? "with" : "without", num_converged,
-              num_degenerate, 1000.0 * errors[errors.size() / 2], 1000.0 * errors.back());
+  std::printf("| %s | %.2f | %s | %u | %u | %.1f | %.1f |\n", place.name, contrast, intensity ? "with" : "without",
+              num_converged, num_degenerate, 1000.0 * errors[errors.size() / 2], 1000.0 * errors.back());
   std::fflush(stdout);
 }
 
@@ -85,5 +85,6 @@ int main(int argc, char** argv) {
   for (const Place& place : places)
     for (const double contrast : kContrasts)
       for (const bool intensity : {false, true})
-        if (intensity || contrast == 0.0) print_row(place, contrast, intensity, num_pairs);  // without, texture is not seen
+        if (intensity || contrast == 0.0)
+          print_row(place, contrast, intensity, num_pairs);  // without, texture is not seen
 }

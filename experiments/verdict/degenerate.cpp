@@ -22,7 +22,7 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 struct Run {
   bool is_degenerate = false, right_number = false;
-  double angle_rad = 0.0;  // of the free motions found to those there are
+  double angle_rad = 0.0;   // of the free motions found to those there are
   double held_error = 0.0;  // metres: what is left of the motion along the held directions, turns by the gyration
 };
 
@@ -35,10 +35,12 @@ Run run(const DegenerateFamily& family, double noise, unsigned seed) {
   Run run{result.status == AlignStatus::Degenerate, result.free_motions.size() == family.free_motions.size()};
   const Observability& seen = result.observability;
   std::vector<Vec6d> found;
-  for (std::size_t k = 0; k < result.free_motions.size(); ++k) found.push_back(seen.directions.col(static_cast<Eigen::Index>(k)));
+  for (std::size_t k = 0; k < result.free_motions.size(); ++k)
+    found.push_back(seen.directions.col(static_cast<Eigen::Index>(k)));
   run.angle_rad = testing::angle_to_free(family, found, seen.gyration, seen.centroid);
   // What is left, without its part along the free motions there are.
-  run.held_error = testing::held_part(family, increment_between(motion, result.target_from_source), seen.gyration, seen.centroid);
+  run.held_error =
+      testing::held_part(family, increment_between(motion, result.target_from_source), seen.gyration, seen.centroid);
   return run;
 }
 
@@ -53,8 +55,8 @@ void print_row(const DegenerateFamily& family, double noise, int num_runs) {
     errors.push_back(one.held_error);
   }
   std::sort(errors.begin(), errors.end());
-  fmt::print("| {} | {} | {} | {} | {} | {:.2f} mm |\n", family.name, noise > 0.0 ? "noisy" : "exact", num_degenerate, num_right,
-             num_within, 1000.0 * errors[errors.size() / 2]);
+  fmt::print("| {} | {} | {} | {} | {} | {:.2f} mm |\n", family.name, noise > 0.0 ? "noisy" : "exact", num_degenerate,
+             num_right, num_within, 1000.0 * errors[errors.size() / 2]);
   std::fflush(stdout);
 }
 
@@ -62,8 +64,9 @@ void print_row(const DegenerateFamily& family, double noise, int num_runs) {
 
 int main(int argc, char** argv) {
   const int num_runs = argc > 1 ? std::atoi(argv[1]) : 100;
-  fmt::print("| shape | points | degenerate | right number of motions | and within 5 deg | median error of the rest |\n"
-             "| --- | --- | --- | --- | --- | --- |\n");
+  fmt::print(
+      "| shape | points | degenerate | right number of motions | and within 5 deg | median error of the rest |\n"
+      "| --- | --- | --- | --- | --- | --- |\n");
   for (const DegenerateFamily& family : testing::degenerate_families())
     for (const double noise : {0.0, family.noise}) print_row(family, noise, num_runs);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Writes generated rooms as folders that `augicp experiment verdict` reads: depth images with a Kinect's noise and steps, and
-// their true trajectory. The camera walks in small steps and leaps to another place of the room every ten frames, so
-// that frames one to nine apart overlap and frames farther apart may show nothing in common.
+// Writes generated rooms as folders that `augicp experiment verdict` reads: depth images with a Kinect's noise and
+// steps, and their true trajectory. The camera walks in small steps and leaps to another place of the room every ten
+// frames, so that frames one to nine apart overlap and frames farther apart may show nothing in common.
 //
 //   write_rooms FOLDER FIRST_SEED NUM_ROOMS NUM_FRAMES
 #include <cmath>
@@ -27,15 +27,18 @@ constexpr double kDepthScale = 5000.0;
 
 // Walls of their own: rooms of one size would have their corners in common.
 Vec3d drawn_size(std::mt19937& generator) {
-  return {testing::uniform(generator, 4.4, 7.0), testing::uniform(generator, 3.0, 5.5), testing::uniform(generator, 2.4, 3.2)};
+  return {testing::uniform(generator, 4.4, 7.0), testing::uniform(generator, 3.0, 5.5),
+          testing::uniform(generator, 2.4, 3.2)};
 }
 
 Rigid3 drawn_place(const Vec3d& room_size, std::mt19937& generator) {
   const double x = 0.5 * room_size.x() - 0.3, y = 0.5 * room_size.y() - 0.3;
-  const Vec3d eye(testing::uniform(generator, -x, x), testing::uniform(generator, -y, y), testing::uniform(generator, 0.7, 2.2));
+  const Vec3d eye(testing::uniform(generator, -x, x), testing::uniform(generator, -y, y),
+                  testing::uniform(generator, 0.7, 2.2));
   const double yaw = testing::uniform(generator, 0.0, 2.0 * std::numbers::pi);
   const double pitch = testing::uniform(generator, -0.6, 0.2);
-  return testing::look_at(eye, eye + Vec3d(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)));
+  return testing::look_at(
+      eye, eye + Vec3d(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)));
 }
 
 // Not inside furniture, and not with it before the lens.
@@ -64,7 +67,8 @@ void write_room(const std::filesystem::path& folder, unsigned seed, int num_fram
     for (int attempt = 0; attempt == 0 || !sees_well(image); ++attempt) {
       const bool leaps = frame % kFramesPerPlace == 0 || attempt > 20;
       const double angle = testing::uniform(generator, 0.0, 0.14), distance = testing::uniform(generator, 0.0, 0.12);
-      const Rigid3 next = leaps ? drawn_place(size, generator) : place * testing::random_motion(generator, angle, distance);
+      const Rigid3 next =
+          leaps ? drawn_place(size, generator) : place * testing::random_motion(generator, angle, distance);
       image = testing::render(scene, camera, camera.width, camera.height, next).depth;
       if (sees_well(image)) place = next;
     }
@@ -77,7 +81,8 @@ void write_room(const std::filesystem::path& folder, unsigned seed, int num_fram
     list << frame << ".0 " << name << "\n";
     // A pose just before and after: the truth is not asked between frames.
     for (const double moment : {frame - 0.01, frame + 0.01})
-      truth << moment << " " << t.x() << " " << t.y() << " " << t.z() << " " << q.x() << " " << q.y() << " " << q.z() << " " << q.w() << "\n";
+      truth << moment << " " << t.x() << " " << t.y() << " " << t.z() << " " << q.x() << " " << q.y() << " " << q.z()
+            << " " << q.w() << "\n";
   }
 }
 

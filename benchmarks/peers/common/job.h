@@ -20,7 +20,7 @@ struct Job {
   std::string scene;  // by its name each peer finds its settings
 
   std::optional<DepthCamera> camera;  // of two depth images; nothing: both files are clouds
-  double depth_scale = 0.0;       // pixel value of one metre, with a camera only
+  double depth_scale = 0.0;           // pixel value of one metre, with a camera only
 
   // target_from_source. Nothing: what the same method found for the job before, the guess of constant velocity in a
   // sequence; the identity for the first job and after one without a result.

@@ -15,7 +15,7 @@ namespace augicp::peers {
 
 // One of the two things to register, as augicp's readers gave it: every peer works on the same points.
 struct Input {
-  Cloud cloud;  // origin zero; of a depth image what unproject() makes of it
+  Cloud cloud;                      // origin zero; of a depth image what unproject() makes of it
   std::optional<DepthImage> image;  // free of its lens
 };
 

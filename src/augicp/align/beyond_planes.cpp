@@ -66,7 +66,8 @@ Plane best_plane(const Cloud& cloud, std::span<const Candidate> candidates) {
   const std::size_t step = (candidates.size() + kNumTried - 1) / kNumTried;
   for (std::size_t k = 0; k < candidates.size(); k += step) {
     const std::uint32_t i = candidates[k].point;
-    if (cloud.structures[i] == Structure::Planar) keep_better({cloud.directions[i].cast<double>(), candidates[k].place});
+    if (cloud.structures[i] == Structure::Planar)
+      keep_better({cloud.directions[i].cast<double>(), candidates[k].place});
   }
   for (int k = 0; k < kNumFits && num_on_best >= 3; ++k) keep_better(fitted(best, candidates));
   return best;
@@ -100,7 +101,8 @@ double share_beyond_planes(const Cloud& cloud, std::span<const std::uint32_t> po
   if (points.empty() || !cloud.has_directions()) return 1.0;
   std::vector<Candidate> rest;
   rest.reserve(points.size());
-  for (const std::uint32_t i : points) rest.push_back({cloud.points[i].cast<double>(), allowed(cloud, i, tolerance), i});
+  for (const std::uint32_t i : points)
+    rest.push_back({cloud.points[i].cast<double>(), allowed(cloud, i, tolerance), i});
   for (int k = 0; k < kNumPlanes && !rest.empty(); ++k) {
     const Plane plane = best_plane(cloud, rest);
     if (plane.normal.isZero()) break;

@@ -81,10 +81,12 @@ TEST(BeyondPlanes, ToleranceGrowsWithDepth) {
   for (const double depth : {2.0, 0.5}) add(cloud, {0, 0, depth}, Vec3d::UnitZ(), Structure::Planar);
   const std::vector<Correspondence> pairs{{0, 0}, {1, 1}};
   const Rigid3 off{Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.01}};
-  EXPECT_EQ(agreeing_points(cloud, cloud, pairs, off, {.distance = 0.0, .per_depth = 0.015}), (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(agreeing_points(cloud, cloud, pairs, off, {.distance = 0.0, .per_depth = 0.015}),
+            (std::vector<std::uint32_t>{0}));
 }
 
-// Along a plane a pair may be apart, off it and turned it does not agree; without a plane, distance counts in all directions.
+// Along a plane a pair may be apart, off it and turned it does not agree; without a plane, distance counts in all
+// directions.
 TEST(AgreeingPoints, AreOnTheSurfaceAndTurnedAlike) {
   Cloud source, target;
   const Vec3d z = Vec3d::UnitZ(), askew = (Vec3d::UnitX() + z).normalized();

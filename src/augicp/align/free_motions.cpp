@@ -9,8 +9,8 @@
 namespace augicp {
 namespace {
 
-// A free direction is a pure translation where less than this part of it turns, in the metric of observability.h. Noise gives
-// a translation a hundredth of a turn; a turn about an axis three gyration radii away has this part.
+// A free direction is a pure translation where less than this part of it turns, in the metric of observability.h. Noise
+// gives a translation a hundredth of a turn; a turn about an axis three gyration radii away has this part.
 constexpr double kMaxTurnOfTranslation = 0.3;
 
 // A turn whose pitch is below this many gyration radii a radian is taken as a plain one.
@@ -34,7 +34,8 @@ FreeMotion motion_of(const Vec6d& direction, const Observability& observability,
   const Vec3d translation = direction.head<3>(), turn = direction.tail<3>() / observability.gyration;
   if (direction.tail<3>().norm() < kMaxTurnOfTranslation)
     return {FreeMotion::Kind::Translation, translation.normalized(), centroid, 0.0};
-  FreeMotion motion{FreeMotion::Kind::Rotation, turn.normalized(), centroid + turn.cross(translation) / turn.squaredNorm(),
+  FreeMotion motion{FreeMotion::Kind::Rotation, turn.normalized(),
+                    centroid + turn.cross(translation) / turn.squaredNorm(),
                     turn.dot(translation) / turn.squaredNorm()};
   if (std::abs(motion.pitch) < kMaxPitchOfRotation * observability.gyration)
     motion.pitch = 0.0;

@@ -9,8 +9,8 @@
 namespace augicp {
 namespace {
 
-// Positive floats are in the order of their bits. The upper ones tell two apart by an eighth of their size: so few places to
-// count in are cheaper than having few values in the middle one.
+// Positive floats are in the order of their bits. The upper ones tell two apart by an eighth of their size: so few
+// places to count in are cheaper than having few values in the middle one.
 constexpr std::uint32_t kSign = 0x80000000u;
 constexpr int kLowerBits = 20;
 

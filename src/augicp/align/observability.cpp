@@ -11,8 +11,8 @@
 namespace augicp {
 namespace {
 
-// Directions are left out: what they hold the positions of an extended surface hold too, and with a long lever they would
-// make every translation look weak.
+// Directions are left out: what they hold the positions of an extended surface hold too, and with a long lever they
+// would make every translation look weak.
 InformationModel without_softening(const InformationModel& softened) {
   InformationModel model = positions_only(softened);
   for (StructureInformation* row : {&model.none, &model.planar, &model.edge}) {
@@ -54,8 +54,8 @@ Spread spread_of(const Cloud& target, std::span<const Correspondence> pairs) {
   return spread;
 }
 
-// The increment about the frame's zero that is (t, r / gyration) about the centroid: turning about c by w moves the zero
-// by -w x c.
+// The increment about the frame's zero that is (t, r / gyration) about the centroid: turning about c by w moves the
+// zero by -w x c.
 Mat6d increment_from_scaled(const Spread& spread) {
   Mat6d m = Mat6d::Identity();
   m.bottomRightCorner<3, 3>() /= spread.gyration;
@@ -66,7 +66,8 @@ Mat6d increment_from_scaled(const Spread& spread) {
 // So many pairs, taken evenly from all, tell the information to a hundredth.
 constexpr std::size_t kNumAsked = 8192;
 
-// How a point holds motions by the information of its own surface: J^T Omega, with J that of a motion about the centroid.
+// How a point holds motions by the information of its own surface: J^T Omega, with J that of a motion about the
+// centroid.
 using Hold = Eigen::Matrix<double, 6, 3>;
 Hold hold_of(const Information& information, const Vec3d& direction, const Vec3d& place, const Spread& spread) {
   const Mat3d omega = information.across * Mat3d::Identity() +
@@ -82,9 +83,9 @@ double weight_of_angle(double cosine) {
   return kMaxSineSq / std::max(kMaxSineSq, 1.0 - cosine * cosine);
 }
 
-// J^T Omega J of a pair, but with the J and the half of Omega that each of its two points knows: what noise in one direction
-// seems to hold, the other's noise denies, so that in the sum it cancels. With the target's alone a sphere seen with noise would
-// be held against turns by as much as a room is.
+// J^T Omega J of a pair, but with the J and the half of Omega that each of its two points knows: what noise in one
+// direction seems to hold, the other's noise denies, so that in the sum it cancels. With the target's alone a sphere
+// seen with noise would be held against turns by as much as a room is.
 Mat6d held_by(const Cloud& source, const Cloud& target, const Correspondence& pair, const Rigid3& pose,
               const InformationModel& model, const Spread& spread) {
   const Structure structure = target.has_directions() ? target.structures[pair.target] : Structure::None;
@@ -94,7 +95,8 @@ Mat6d held_by(const Cloud& source, const Cloud& target, const Correspondence& pa
   const bool knows_direction = information.along != information.across;
   if (largest == 0.0 || (knows_direction && of_source != structure)) return Mat6d::Zero();
   const Vec3d d = knows_direction ? Vec3d(target.directions[pair.target].cast<double>()) : Vec3d::Zero();
-  const Vec3d l = knows_direction ? Vec3d(pose.rotation * source.directions[pair.source].cast<double>()) : Vec3d::Zero();
+  const Vec3d l =
+      knows_direction ? Vec3d(pose.rotation * source.directions[pair.source].cast<double>()) : Vec3d::Zero();
   const Hold of_target = hold_of(information, d, target.points[pair.target].cast<double>(), spread);
   const Hold of_moved = hold_of(information, l, pose * source.points[pair.source].cast<double>(), spread);
   const double weight = knows_direction ? weight_of_angle(d.dot(l)) : 1.0;
@@ -144,8 +146,7 @@ Observability observability(const Cloud& source, const Cloud& target, std::span<
   const Eigen::SelfAdjointEigenSolver<Mat6d> solver(held);
   const double best = solver.eigenvalues()[5];
   if (!(best > 0.0)) return {};
-  return {solver.eigenvalues().cwiseMax(0.0) / best, change * solver.eigenvectors(), spread.centroid,
-          spread.gyration};
+  return {solver.eigenvalues().cwiseMax(0.0) / best, change * solver.eigenvectors(), spread.centroid, spread.gyration};
 }
 
 }  // namespace augicp

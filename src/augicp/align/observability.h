@@ -18,13 +18,16 @@ struct Observability {
   double gyration = 0.0;           // their radius of gyration, metres
 
   // How many directions have less information than this.
-  int num_below(double min_information) const { return static_cast<int>((information.array() < min_information).count()); }
+  int num_below(double min_information) const {
+    return static_cast<int>((information.array() < min_information).count());
+  }
 
   double weakest() const { return information[0]; }
 };
 
-// Of the information of the pairs' positions without its softening: what is 1 / epsilon times weaker than the rest in Table 2 is there
-// to keep a step solvable, not because it is known. And of what the intensities of both points hold, where they count.
+// Of the information of the pairs' positions without its softening: what is 1 / epsilon times weaker than the rest in
+// Table 2 is there to keep a step solvable, not because it is known. And of what the intensities of both points hold,
+// where they count.
 Observability observability(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                             const Rigid3& target_from_source, const Objective& objective);
 

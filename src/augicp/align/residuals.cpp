@@ -39,8 +39,7 @@ Residuals residuals(const Cloud& source, const Cloud& target, std::span<const Co
     else
       tangent_angles.push_back(angle_of(std::abs(cosine)));
   }
-  return {statistics_of(distances), statistics_of(normal_angles),
-          statistics_of(tangent_angles)};
+  return {statistics_of(distances), statistics_of(normal_angles), statistics_of(tangent_angles)};
 }
 
 }  // namespace augicp

@@ -29,7 +29,8 @@ TEST(Residuals, EachQuantityHasItsOwn) {
   EXPECT_NEAR(shifted.point.median, 0.01, 1e-6);  // along the plane nothing shows
   EXPECT_EQ(shifted.normal.median, 0.0);
 
-  const Residuals turned = residuals(cloud, cloud, kPairs, {Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vec3d::UnitY())), {}});
+  const Residuals turned =
+      residuals(cloud, cloud, kPairs, {Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vec3d::UnitY())), {}});
   EXPECT_NEAR(turned.normal.median, 0.1, 1e-3);
   EXPECT_NEAR(turned.tangent.median, 0.1, 1e-3);
 }

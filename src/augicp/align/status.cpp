@@ -12,8 +12,8 @@ std::string_view name_of(AlignStatus status) {
 }
 
 bool has_pose(AlignStatus status) {
-  return status == AlignStatus::Converged || status == AlignStatus::IterationLimit || status == AlignStatus::Degenerate ||
-         status == AlignStatus::Doubtful;
+  return status == AlignStatus::Converged || status == AlignStatus::IterationLimit ||
+         status == AlignStatus::Degenerate || status == AlignStatus::Doubtful;
 }
 
 }  // namespace augicp

@@ -7,7 +7,8 @@ namespace augicp {
 
 // What became of a registration. Only Converged is a pose to trust.
 enum class AlignStatus {
-  Converged,       // the steps have become small or lead round in a circle, and what the clouds say of each other speaks for the pose
+  Converged,  // the steps have become small or lead round in a circle, and what the clouds say of each other speaks for
+              // the pose
   IterationLimit,  // the steps have not become small, after max_iterations
   Degenerate,      // some direction of motion is not held by the data, see AlignOptions::min_observability
   TooFewPairs,     // fewer points in a cloud than pairs that six numbers need

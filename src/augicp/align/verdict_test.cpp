@@ -74,9 +74,7 @@ TEST(Verdict, WithoutACameraMoreMustAgree) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
 }
 
-TEST(Verdict, NoWitnessIsADoubt) {
-  EXPECT_EQ(decide(AlignStatus::Converged, {}).status, AlignStatus::Doubtful);
-}
+TEST(Verdict, NoWitnessIsADoubt) { EXPECT_EQ(decide(AlignStatus::Converged, {}).status, AlignStatus::Doubtful); }
 
 TEST(Verdict, ALoopThatStoppedConvergedOnlyIfItHadSettled) {
   Evidence evidence = good_evidence();

@@ -22,7 +22,8 @@ std::vector<float> position_where_compared(const PairChi2& chi2) {
 std::vector<float> total_chi2(const PairChi2& chi2, double lever) {
   const auto scale = static_cast<float>(lever * lever);
   std::vector<float> total(chi2.position.size());
-  for (std::size_t k = 0; k < total.size(); ++k) total[k] = chi2.position[k] + scale * std::max(chi2.direction[k], 0.0f);
+  for (std::size_t k = 0; k < total.size(); ++k)
+    total[k] = chi2.position[k] + scale * std::max(chi2.direction[k], 0.0f);
   return total;
 }
 
@@ -85,8 +86,7 @@ IntensityModel weigh_intensities(const Cloud& source, const Cloud& target, std::
   const double most = std::max(plane.along, plane.across) / gradient_sq;
   IntensityModel model;
   model.offset = measured.offset;
-  model.information =
-      of_intensity > 0.0 ? std::min(most, options.intensity_weight * of_position / of_intensity) : most;
+  model.information = of_intensity > 0.0 ? std::min(most, options.intensity_weight * of_position / of_intensity) : most;
   model.kernel_chi2 = std::max(kTiny, options.kernel_intensity_per_median * model.information * of_intensity);
   return model;
 }

@@ -52,7 +52,8 @@ IntensityModel weigh(const BrightPairs& two, double weight = 1.0) {
 }
 
 TEST(Weighing, IntensitiesCountAsMuchAsPositions) {
-  const IntensityModel model = weigh(bright_pairs(0.2f, 0.01f));  // medians: 16 of the positions, 0.01 of the brightness
+  const IntensityModel model =
+      weigh(bright_pairs(0.2f, 0.01f));  // medians: 16 of the positions, 0.01 of the brightness
   EXPECT_NEAR(model.offset, 0.2, 1e-6);
   EXPECT_NEAR(model.information, 16.0 / 0.01, 1e-2);
   EXPECT_NEAR(model.kernel_chi2, AlignOptions{}.kernel_intensity_per_median * 16.0, 1e-4);

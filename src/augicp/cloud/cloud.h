@@ -31,11 +31,12 @@ struct Cloud {
   // alike.
   std::vector<float> weights;
 
-  // How bright each point is, in any unit: a camera's grey value, a LiDAR's return. NaN where that is not known. Empty: none is.
+  // How bright each point is, in any unit: a camera's grey value, a LiDAR's return. NaN where that is not known. Empty:
+  // none is.
   std::vector<float> intensities;
 
-  // How the intensity changes along the surface, per metre; zero where that is not known, and empty until it is estimated,
-  // see surface/intensity_gradient.h.
+  // How the intensity changes along the surface, per metre; zero where that is not known, and empty until it is
+  // estimated, see surface/intensity_gradient.h.
   std::vector<Vec3f> intensity_gradients;
 
   // Where the sensor was, relative to origin as the points are. Where it is known, normals point to it; where it is
@@ -50,7 +51,9 @@ struct Cloud {
 };
 
 // Whether normals of the two clouds compare with their sign: where both sensors' places are known.
-inline bool normals_have_signs(const Cloud& source, const Cloud& target) { return source.viewpoint && target.viewpoint; }
+inline bool normals_have_signs(const Cloud& source, const Cloud& target) {
+  return source.viewpoint && target.viewpoint;
+}
 
 // The frame moved: points, origin, viewpoint, directions and gradients, Eq. (4) and (7).
 Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a);
@@ -63,7 +66,8 @@ struct Bounds {
 };
 Bounds bounds(const Cloud& cloud);
 
-// The pose between the frames of two clouds, given the pose between their points (both without their origins), and back.
+// The pose between the frames of two clouds, given the pose between their points (both without their origins), and
+// back.
 Rigid3 with_origins(const Rigid3& target_points_from_source_points, const Cloud& source, const Cloud& target);
 Rigid3 without_origins(const Rigid3& target_from_source, const Cloud& source, const Cloud& target);
 

@@ -51,7 +51,8 @@ TEST(Cloud, OriginsComposeBothWays) {
   for (const Rigid3& target_from_source : testing::awkward_poses()) {
     const Rigid3 between_points = without_origins(target_from_source, source, target);
     const Vec3d point = source.points[1].cast<double>();
-    EXPECT_THAT(target.origin + between_points * point, testing::NearVector(target_from_source * (source.origin + point), 1e-9));
+    EXPECT_THAT(target.origin + between_points * point,
+                testing::NearVector(target_from_source * (source.origin + point), 1e-9));
     EXPECT_THAT(with_origins(between_points, source, target), testing::NearPose(target_from_source, 1e-14, 1e-9));
   }
 }

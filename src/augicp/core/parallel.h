@@ -11,10 +11,12 @@
 
 namespace augicp {
 
-// Items of one block. Large enough to hide the cost of a task, small enough for two cores to share a depth image evenly.
+// Items of one block. Large enough to hide the cost of a task, small enough for two cores to share a depth image
+// evenly.
 inline constexpr std::size_t kBlockSize = 2048;
 
-// Of loops that take some nanoseconds an item: a block should take longer than to wake a thread, or on a busy machine all wait for it.
+// Of loops that take some nanoseconds an item: a block should take longer than to wake a thread, or on a busy machine
+// all wait for it.
 inline constexpr std::size_t kLightBlockSize = 16384;
 
 // Calls body(begin, end) for every block of [0, count), concurrently on at most num_threads threads (0: all the
@@ -27,8 +29,8 @@ template <typename Sum, typename Body>
 Sum blocked_sum(std::size_t count, int num_threads, const Body& body, std::size_t block_size = kBlockSize) {
   std::vector<Sum> partial((count + block_size - 1) / block_size);
   for_each_block(
-      count, num_threads,
-      [&](std::size_t begin, std::size_t end) { partial[begin / block_size] = body(begin, end); }, block_size);
+      count, num_threads, [&](std::size_t begin, std::size_t end) { partial[begin / block_size] = body(begin, end); },
+      block_size);
   Sum total{};
   for (const Sum& sum : partial) total += sum;
   return total;

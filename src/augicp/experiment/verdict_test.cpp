@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include "augicp/experiment/verdict.h"
+
+#include <gtest/gtest.h>
 
 namespace augicp {
 namespace {
@@ -18,10 +18,9 @@ VerdictPair pair_with(PairTruth truth, AlignStatus status, double conflicting) {
   return pair;
 }
 
-const std::vector<VerdictPair> kPairs{pair_with(PairTruth::Right, AlignStatus::Converged, 0.01),
-                                      pair_with(PairTruth::Right, AlignStatus::Doubtful, 0.06),
-                                      pair_with(PairTruth::Wrong, AlignStatus::Doubtful, 0.08),
-                                      pair_with(PairTruth::Apart, AlignStatus::Doubtful, 0.16)};
+const std::vector<VerdictPair> kPairs{
+    pair_with(PairTruth::Right, AlignStatus::Converged, 0.01), pair_with(PairTruth::Right, AlignStatus::Doubtful, 0.06),
+    pair_with(PairTruth::Wrong, AlignStatus::Doubtful, 0.08), pair_with(PairTruth::Apart, AlignStatus::Doubtful, 0.16)};
 
 TEST(VerdictExperiment, ConfusionCountsEveryPairOnce) {
   const std::vector<ConfusionRow> rows = confusion(kPairs);
@@ -42,7 +41,9 @@ TEST(VerdictExperiment, RocRunsFromNothingToEverything) {
   EXPECT_EQ(points.back().right_refused, 0.0);
   EXPECT_EQ(points.back().wrong_accepted, 1.0);
   for (const RocPoint& point : points) {
-    const auto share_beyond = [&](std::size_t pair) { return strain(*kPairs[pair].evidence) > point.max_strain ? 1.0 : 0.0; };
+    const auto share_beyond = [&](std::size_t pair) {
+      return strain(*kPairs[pair].evidence) > point.max_strain ? 1.0 : 0.0;
+    };
     EXPECT_EQ(point.right_refused, 0.5 * (share_beyond(0) + share_beyond(1))) << point.max_strain;
     EXPECT_EQ(point.apart_accepted, 1.0 - share_beyond(3)) << point.max_strain;
   }

@@ -26,8 +26,8 @@ Rigid3 operator*(const Rigid3& c_from_b, const Rigid3& b_from_a);
 Rigid3 inverse(const Rigid3& b_from_a);
 
 // The rigid motion of a homogeneous matrix. Throws std::invalid_argument unless the matrix is finite, its last row is
-// (0 0 0 1), its determinant is positive and its rotation part is orthonormal to within tolerance (files carry as few as
-// four digits); what deviation is left is removed by taking the nearest rotation.
+// (0 0 0 1), its determinant is positive and its rotation part is orthonormal to within tolerance (files carry as few
+// as four digits); what deviation is left is removed by taking the nearest rotation.
 Rigid3 rigid3_from_matrix(const Mat4d& matrix, double tolerance = 1e-3);
 
 // Moves a pose by an increment: translation first, rotation vector second, applied on the left, that is, in the target

@@ -8,7 +8,8 @@
 
 namespace augicp {
 
-// Where the camera was at a time. The frame it is told in is called world here; for an estimate that is the first camera.
+// Where the camera was at a time. The frame it is told in is called world here; for an estimate that is the first
+// camera.
 struct StampedPose {
   double stamp_s = 0.0;
   Rigid3 world_from_camera;
@@ -24,8 +25,8 @@ void check_order(const Trajectory& trajectory);
 // line, rotations along the shortest arc.
 Rigid3 interpolate(const Rigid3& first, const Rigid3& second, double share);
 
-// The pose at a time between two of the trajectory's, nothing before its first and after its last, and nothing where the
-// poses around it are more than max_gap_s apart.
+// The pose at a time between two of the trajectory's, nothing before its first and after its last, and nothing where
+// the poses around it are more than max_gap_s apart.
 std::optional<Rigid3> pose_at(const Trajectory& trajectory, double stamp_s, double max_gap_s);
 
 }  // namespace augicp

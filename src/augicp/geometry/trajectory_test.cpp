@@ -11,8 +11,8 @@
 namespace augicp {
 namespace {
 
-using testing::NearPose;
 using ::testing::HasSubstr;
+using testing::NearPose;
 using ::testing::Property;
 using ::testing::Throws;
 
@@ -23,7 +23,11 @@ TEST(Trajectory, IsInOrderWhenStampsIncrease) {
     return Throws<std::invalid_argument>(Property(&std::invalid_argument::what, HasSubstr(part)));
   };
   EXPECT_THAT([] { check_order({{1.0, {}}, {1.0, {}}}); }, message("pose 1"));
-  EXPECT_THAT([] { check_order({{1.0, {}}, {2.0, {}}, {0.5, {}}}); }, message("found 0.500000 s after 2.000000 s at pose 2"));
+  EXPECT_THAT(
+      [] {
+        check_order({{1.0, {}}, {2.0, {}}, {0.5, {}}});
+      },
+      message("found 0.500000 s after 2.000000 s at pose 2"));
   EXPECT_THAT([] { check_order({{std::numeric_limits<double>::quiet_NaN(), {}}}); }, message("pose 0"));
 }
 

@@ -32,8 +32,8 @@ DepthCamera from_numbers(std::string_view text) {
   // Nine numbers are a lens behind the pinhole, or a matrix, whose second number is the skew and never a focal length.
   if (n.size() == 9 && std::abs(n[1]) > kMaxSkew) return {pinhole, {n[4], n[5], n[6], n[7], n[8]}};
   if (n.size() == 9) return {from_matrix({n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]}), {}};
-  throw std::invalid_argument(
-      fmt::format("camera: expected fx fy cx cy, with or without k1 k2 p1 p2 k3, or a 3x3 matrix, found {} numbers", n.size()));
+  throw std::invalid_argument(fmt::format(
+      "camera: expected fx fy cx cy, with or without k1 k2 p1 p2 k3, or a 3x3 matrix, found {} numbers", n.size()));
 }
 
 int image_side(std::string_view json, const char* key) {
@@ -94,7 +94,8 @@ DepthCamera read_camera(const std::string& name_or_path_or_numbers) {
     constexpr std::uint64_t kMaxBytes = 1 << 20;
     return parse_camera(read_bytes(name_or_path_or_numbers, kMaxBytes));
   }
-  if (starts_with_a_number(name_or_path_or_numbers)) return parse_camera({in_quotes(name_or_path_or_numbers), name_or_path_or_numbers});
+  if (starts_with_a_number(name_or_path_or_numbers))
+    return parse_camera({in_quotes(name_or_path_or_numbers), name_or_path_or_numbers});
   throw IoError(fmt::format("camera {}: no such file, and no known name. Known are {}",
                             in_quotes(name_or_path_or_numbers), fmt::join(camera_names(), " ")));
 }

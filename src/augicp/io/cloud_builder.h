@@ -31,7 +31,8 @@ struct PointColumns {
 };
 
 // Columns by their names, in either case: x y z, nx ny nz or normal_x normal_y normal_z, structure, intensity or
-// scalar_intensity, the first of these where there are several. Normals count only when all three are there. Throws IoError for a missing coordinate, and for a name of these that comes twice.
+// scalar_intensity, the first of these where there are several. Normals count only when all three are there. Throws
+// IoError for a missing coordinate, and for a name of these that comes twice.
 PointColumns find_columns(const std::filesystem::path& path, std::span<const std::string> names);
 
 // What a file states about its points as a whole.

@@ -132,7 +132,8 @@ TEST(CloudBuilder, IntensitiesAreKeptAndUnknownWhereNotFinite) {
   PointTable table;
   table.has_intensities = true;
   const double huge = std::numeric_limits<double>::max();
-  const Cloud cloud = build({{0, 0, 1, 0, 0, 0, 1, 7.5}, {kNan, 0, 1, 0, 0, 0, 1, 8}, {0, 1, 1, 0, 0, 0, 1, huge}}, table).cloud;
+  const Cloud cloud =
+      build({{0, 0, 1, 0, 0, 0, 1, 7.5}, {kNan, 0, 1, 0, 0, 0, 1, 8}, {0, 1, 1, 0, 0, 0, 1, huge}}, table).cloud;
   ASSERT_EQ(cloud.intensities.size(), 2u);
   EXPECT_EQ(cloud.intensities[0], 7.5f);
   EXPECT_TRUE(std::isnan(cloud.intensities[1]));

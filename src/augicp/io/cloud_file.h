@@ -31,8 +31,9 @@ struct ReadReport {
 //
 // Coordinates are read as double and kept relative to cloud.origin. The origin is zero unless the cloud lies more than
 // 8 times farther from zero than its points lie from each other. Normals become unit directions of Structure::Planar,
-// turned to the viewpoint where there is one; where a file gives no usable normal the structure is None. A column intensity or
-// scalar_intensity, in either case, and KITTI's fourth number become intensities, NaN where they are not finite.
+// turned to the viewpoint where there is one; where a file gives no usable normal the structure is None. A column
+// intensity or scalar_intensity, in either case, and KITTI's fourth number become intensities, NaN where they are not
+// finite.
 struct CloudFile {
   Cloud cloud;                     // never empty, every point finite
   std::optional<IndexImage> grid;  // of organised files (several rows): which point is in which pixel

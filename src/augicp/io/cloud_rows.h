@@ -18,8 +18,8 @@ struct RowColumn {
 };
 
 // The columns of a cloud: x y z, as double where an origin must be added; nx ny nz and structure where it has
-// directions; intensity where it has any; red green blue where colours has any. Throws std::invalid_argument for a cloud without points, and where
-// colours, structures or intensities are not as many as the points.
+// directions; intensity where it has any; red green blue where colours has any. Throws std::invalid_argument for a
+// cloud without points, and where colours, structures or intensities are not as many as the points.
 std::vector<RowColumn> row_columns(const Cloud& cloud, std::span<const Colour> colours);
 
 // Writes all rows: packed little-endian records, or lines of numbers with as many digits as they need.

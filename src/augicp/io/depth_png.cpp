@@ -42,7 +42,8 @@ DepthImage read_depth_png(const std::filesystem::path& path, double depth_scale)
 
 bool tells_depth_scale(const DepthImage& image) {
   constexpr double kMinShare = 0.01;
-  const auto count = std::count_if(image.depth.begin(), image.depth.end(), [](float depth) { return !std::isnan(depth); });
+  const auto count =
+      std::count_if(image.depth.begin(), image.depth.end(), [](float depth) { return !std::isnan(depth); });
   return static_cast<double>(count) > kMinShare * static_cast<double>(image.depth.size());
 }
 
@@ -55,9 +56,10 @@ std::optional<std::string> depth_scale_problem(const DepthImage& image, double d
   const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
   std::nth_element(readings.begin(), middle, readings.end());
   if (*middle >= kNearest && *middle <= kFarthest) return std::nullopt;
-  return fmt::format("the median depth is {} m: is the depth scale {} right? It is a divisor, metres = value / scale; "
-                     "5000 for TUM, 1000 for most others",
-                     *middle, depth_scale);
+  return fmt::format(
+      "the median depth is {} m: is the depth scale {} right? It is a divisor, metres = value / scale; "
+      "5000 for TUM, 1000 for most others",
+      *middle, depth_scale);
 }
 
 void check_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {

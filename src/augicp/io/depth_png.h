@@ -11,15 +11,15 @@
 namespace augicp {
 
 // A depth image from a PNG of 16-bit grey values: metres = value / depth_scale (TUM: 5000, most others: 1000); 0
-// and 65535 are no reading. Throws IoError for any other kind of PNG and for a damaged one, std::invalid_argument unless depth_scale is
-// above 0.
+// and 65535 are no reading. Throws IoError for any other kind of PNG and for a damaged one, std::invalid_argument
+// unless depth_scale is above 0.
 DepthImage read_depth_png(const std::filesystem::path& path, double depth_scale);
 
 // The same for a file that is in memory.
 DepthImage parse_depth_png(const FileBytes& file, double depth_scale);
 
-// Advice where the median reading is nearer than 5 cm or farther than 200 m: then the depth scale is wrong by a factor. An
-// image without readings passes. depth_scale is for the message.
+// Advice where the median reading is nearer than 5 cm or farther than 200 m: then the depth scale is wrong by a factor.
+// An image without readings passes. depth_scale is for the message.
 std::optional<std::string> depth_scale_problem(const DepthImage& image, double depth_scale);
 
 // Whether an image has readings enough to ask: a few speckles in a black one say nothing about the scale.

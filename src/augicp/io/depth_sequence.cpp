@@ -52,7 +52,8 @@ std::optional<Trajectory> seven_scenes_truth(const std::vector<DepthFrameFile>& 
   return truth.empty() ? std::nullopt : std::optional(truth);
 }
 
-// Instead of the layout's, where the folder names one. A damaged file does not keep those who know the camera from tracking.
+// Instead of the layout's, where the folder names one. A damaged file does not keep those who know the camera from
+// tracking.
 void read_camera_in(const fs::path& folder, DepthSequence& sequence) {
   for (const char* name : {"camera.json", "camera.txt", "camera-intrinsics.txt"}) {
     if (!is_there(folder / name)) continue;

@@ -19,19 +19,20 @@ struct DepthFrameFile {
 };
 
 struct DepthSequence {
-  std::string layout;                   // "TUM", "7-Scenes" or "numbered"
-  std::vector<DepthFrameFile> frames;   // in the order of the list or of the numbers; stamps as they are
-  double depth_scale = 0.0;             // the layout's: TUM 5000, others 1000
-  std::optional<DepthCamera> camera;    // of a file camera.json, camera.txt or camera-intrinsics.txt, or the layout's
-  std::string camera_problem;           // why there is none, where there is such a file
-  std::optional<Trajectory> truth;      // world_from_camera
-  std::string truth_problem;            // why there is none, where there is a groundtruth.txt
+  std::string layout;                  // "TUM", "7-Scenes" or "numbered"
+  std::vector<DepthFrameFile> frames;  // in the order of the list or of the numbers; stamps as they are
+  double depth_scale = 0.0;            // the layout's: TUM 5000, others 1000
+  std::optional<DepthCamera> camera;   // of a file camera.json, camera.txt or camera-intrinsics.txt, or the layout's
+  std::string camera_problem;          // why there is none, where there is such a file
+  std::optional<Trajectory> truth;     // world_from_camera
+  std::string truth_problem;           // why there is none, where there is a groundtruth.txt
 };
 
 // What is in a folder, which must be one of
 //   TUM        depth.txt with lines "stamp path", paths relative to the folder; groundtruth.txt if there is one
 //   7-Scenes   frame-000000.depth.png ...; the poses frame-000000.pose.txt of those frames that have one
-//   numbered   1.png, 2.png ... or any names that end in a number, in the folder or in its folder depth/; groundtruth.txt.
+//   numbered   1.png, 2.png ... or any names that end in a number, in the folder or in its folder depth/;
+//   groundtruth.txt.
 //              A number with a decimal point (1305031453.374112.png) is a stamp in seconds
 // Frames without stamps get their number / frames_per_s. Images are not opened. Throws IoError where the folder is none
 // of these or its list of images is damaged, std::invalid_argument unless frames_per_s is above 0.

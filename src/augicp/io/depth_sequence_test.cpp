@@ -76,7 +76,8 @@ TEST(DepthSequence, SevenScenesFoldersHaveAPoseAnImage) {
 TEST(DepthSequence, NumbersSortAsNumbers) {
   const testing::TemporaryFolder folder;
   fs::create_directory(folder / "depth");
-  for (const char* name : {"depth/10.png", "depth/9.png", "depth/notes.txt", "depth/mask.png"}) write_file(folder / name, "");
+  for (const char* name : {"depth/10.png", "depth/9.png", "depth/notes.txt", "depth/mask.png"})
+    write_file(folder / name, "");
   write_file(folder / "camera.txt", "500 501 320 240\n");
   const DepthSequence sequence = read_depth_sequence(folder.path());
   EXPECT_EQ(sequence.layout, "numbered");
@@ -89,7 +90,8 @@ TEST(DepthSequence, NumbersSortAsNumbers) {
 // Pointed at the images of a TUM folder, one level too deep.
 TEST(DepthSequence, NamesThatAreStampsAreStamps) {
   const testing::TemporaryFolder folder;
-  for (const char* name : {"1305031453.374112.png", "1305031454.005.PNG", "1305031453.404816.png"}) write_file(folder / name, "");
+  for (const char* name : {"1305031453.374112.png", "1305031454.005.PNG", "1305031453.404816.png"})
+    write_file(folder / name, "");
   const DepthSequence sequence = read_depth_sequence(folder.path());
   ASSERT_EQ(sequence.frames.size(), 3u);
   EXPECT_EQ(sequence.frames[0].stamp_s, 1305031453.374112);
@@ -126,8 +128,9 @@ TEST(DepthSequence, ADamagedCameraIsToldAndIsNotTheLayouts) {
 TEST(DepthSequence, AFoldersCameraComesWhole) {
   const testing::TemporaryFolder folder;
   write_file(folder / "frame-000000.depth.png", "");
-  write_file(folder / "camera.json",
-             R"({"intrinsic_matrix": [585,0,0, 0,586.5,0, 320,240,1], "distortion": [0.1,0,0,0,0], "readout_s": 0.02})");
+  write_file(
+      folder / "camera.json",
+      R"({"intrinsic_matrix": [585,0,0, 0,586.5,0, 320,240,1], "distortion": [0.1,0,0,0,0], "readout_s": 0.02})");
   const DepthSequence sequence = read_depth_sequence(folder.path());
   EXPECT_EQ(sequence.camera->pinhole.fy, 586.5);
   EXPECT_EQ(sequence.camera->distortion.k1, 0.1);

@@ -25,7 +25,8 @@ double luma(const std::uint8_t* pixel) { return 0.299 * pixel[0] + 0.587 * pixel
 GreyImage parse_grey_png(const FileBytes& file) {
   PngReader png(file);
   const std::size_t channels = num_channels(png);
-  if (channels == 0) throw io_error(file.path, "expected an image of 8-bit grey, RGB or RGBA values, found " + png.kind());
+  if (channels == 0)
+    throw io_error(file.path, "expected an image of 8-bit grey, RGB or RGBA values, found " + png.kind());
   const auto values = png.decode<std::uint8_t>(channels);
   GreyImage image{png.width(), png.height(), {}};
   image.value.reserve(values.size() / channels);

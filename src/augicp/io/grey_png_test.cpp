@@ -22,7 +22,8 @@ std::string png(std::string_view header, std::string_view pixels) {
                   "0000000049454e44ae426082");
 }
 
-// Images of 2 x 1 pixels, their last chunks shared: grey 51 and 255; red and blue; the same, half and not at all opaque.
+// Images of 2 x 1 pixels, their last chunks shared: grey 51 and 255; red and blue; the same, half and not at all
+// opaque.
 const std::string kGrey = png("0800000000d1492056", "0000000b4944415478da6330fe0f00016801331d7c2293");
 const std::string kRgb = png("08020000007b40e8dd", "0000000d4944415478da63f8cf0004ff01070001ff3d7d8c49");
 const std::string kRgba = png("0806000000f4227f8a", "000000114944415478da63f8cfc0d0c0c0f09f01000c7f027ff555ae82");

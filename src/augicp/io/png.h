@@ -19,7 +19,8 @@ using PngContext = std::unique_ptr<spng_ctx, void (*)(spng_ctx*)>;
 // Throws IoError unless the code says that all is well.
 void check_png(int code, const std::filesystem::path& path);
 
-// A PNG whose header was read. file must outlive it. Throws IoError for damaged files, and for those larger than any sensor's.
+// A PNG whose header was read. file must outlive it. Throws IoError for damaged files, and for those larger than any
+// sensor's.
 class PngReader {
  public:
   explicit PngReader(const FileBytes& file);
@@ -31,7 +32,8 @@ class PngReader {
   bool is(int bit_depth, int color_type) const;
   std::string kind() const;  // in words
 
-  // All pixels as they are in the file, of so many channels each. Once only. Throws IoError where the file is not whole.
+  // All pixels as they are in the file, of so many channels each. Once only. Throws IoError where the file is not
+  // whole.
   template <typename Channel>
   std::vector<Channel> decode(std::size_t num_channels) {
     static_assert(std::is_integral_v<Channel>);

@@ -16,9 +16,18 @@ struct RoleName {
   std::size_t role;
 };
 
-constexpr RoleName kRoleNames[] = {{"x", 0},  {"y", 1},        {"z", 2},        {"nx", 3},       {"ny", 4},
-                                   {"nz", 5}, {"normal_x", 3}, {"normal_y", 4}, {"normal_z", 5}, {"structure", 6},
-                                   {"intensity", kIntensity}, {"scalar_intensity", kIntensity}};
+constexpr RoleName kRoleNames[] = {{"x", 0},
+                                   {"y", 1},
+                                   {"z", 2},
+                                   {"nx", 3},
+                                   {"ny", 4},
+                                   {"nz", 5},
+                                   {"normal_x", 3},
+                                   {"normal_y", 4},
+                                   {"normal_z", 5},
+                                   {"structure", 6},
+                                   {"intensity", kIntensity},
+                                   {"scalar_intensity", kIntensity}};
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);

@@ -147,7 +147,8 @@ CloudFile parse_pcd(const FileBytes& file, const ReadOptions& options) {
   const PcdHeader header = parse_pcd_header(file);
   check_num_points(file.path, header.num_points, options);
   const PointColumns columns = point_columns(file, header);
-  PointTable table{"pcd ascii", header.num_points, columns.has_normals(), 0, header.viewpoint, columns.has_intensities()};
+  PointTable table{"pcd ascii", header.num_points, columns.has_normals(),
+                   0,           header.viewpoint,  columns.has_intensities()};
   if (header.height > 1) table.width = static_cast<int>(header.width);
   if (header.encoding == PcdEncoding::Ascii) return read_ascii(file, header, columns, table);
   table.format = header.encoding == PcdEncoding::Binary ? "pcd binary" : "pcd binary_compressed";

@@ -75,7 +75,7 @@ CloudFile parse_xyz(const FileBytes& file, const ReadOptions& options) {
   } else if (most > options.max_points) {
     throw io_error(file.path, fmt::format("expected at most {} points, found {} lines", options.max_points, most));
   }
-  const PointTable table{"xyz text", layout.declared.value_or(most), layout.points.columns.has_normals(), 0,
+  const PointTable table{"xyz text",   layout.declared.value_or(most),         layout.points.columns.has_normals(), 0,
                          std::nullopt, layout.points.columns.has_intensities()};
   TextLines behind = layout.lines;
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) {

@@ -29,7 +29,9 @@ std::optional<double> stamp_of(const std::filesystem::path& file, std::string_vi
   if (number.empty() || !value) return std::nullopt;
   const bool is_stamp = number.find('.') != std::string_view::npos;
   if (!(*value <= (is_stamp ? kMaxStamp_s : kMaxNumber)))
-    throw io_error(file, "its number is too large for a frame's: where it is a stamp, write a depth.txt with lines \"stamp path\" in seconds");
+    throw io_error(file,
+                   "its number is too large for a frame's: where it is a stamp, write a depth.txt with lines \"stamp "
+                   "path\" in seconds");
   return is_stamp ? *value : *value / frames_per_s;
 }
 
@@ -66,12 +68,13 @@ std::vector<DepthFrameFile> numbered_files(const std::filesystem::path& folder, 
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (!ends_with(name, ending)) continue;
-    const auto stamp_s = stamp_of(entry->path(), std::string_view(name).substr(0, name.size() - ending.size()), frames_per_s);
+    const auto stamp_s =
+        stamp_of(entry->path(), std::string_view(name).substr(0, name.size() - ending.size()), frames_per_s);
     if (!stamp_s) continue;
     const auto [other, is_new] = by_stamp.emplace(*stamp_s, entry->path());
     if (!is_new)
-      throw io_error(folder, fmt::format("expected one image a number, found {} and {}",
-                                         other->second.filename().string(), name));
+      throw io_error(
+          folder, fmt::format("expected one image a number, found {} and {}", other->second.filename().string(), name));
   }
   if (error) throw io_error(folder, "cannot be listed: " + error.message());
   std::vector<DepthFrameFile> frames;

@@ -10,9 +10,9 @@ namespace augicp {
 // Throws IoError naming the line. Stamps may have any order.
 std::vector<DepthFrameFile> parse_image_list(const FileBytes& list);
 
-// The files of a folder whose names end in a number before `ending` (in any case), by that number. The stamp is the number
-// itself where it has a decimal point, else number / frames_per_s. Throws IoError where two have the same number, and
-// where a number has too many digits for a stamp in seconds.
+// The files of a folder whose names end in a number before `ending` (in any case), by that number. The stamp is the
+// number itself where it has a decimal point, else number / frames_per_s. Throws IoError where two have the same
+// number, and where a number has too many digits for a stamp in seconds.
 std::vector<DepthFrameFile> numbered_files(const std::filesystem::path& folder, std::string_view ending,
                                            double frames_per_s);
 

@@ -23,7 +23,6 @@ constexpr const char* kColumns = "timestamp tx ty tz qx qy qz qw";
 constexpr std::size_t kNumColumns = 8;
 using Numbers = std::array<double, kNumColumns>;
 
-
 const char* likely_unit(double stamp) {
   const double size = std::abs(stamp);
   return size < 1e14 ? "milliseconds" : size < 1e17 ? "microseconds" : "nanoseconds";

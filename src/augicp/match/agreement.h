@@ -7,8 +7,8 @@ namespace augicp {
 
 // When a source point counts as seen again in the target.
 struct AgreementTolerance {
-  double distance = 0.0;   // metres, above 0
-  double per_depth = 0.0;  // metres more for each metre in front of the target's camera, where there is one
+  double distance = 0.0;     // metres, above 0
+  double per_depth = 0.0;    // metres more for each metre in front of the target's camera, where there is one
   double min_cosine = 0.85;  // between the normals of two planar points
 
   // Throws std::invalid_argument unless the distances are finite, at least 0, and one of them above.

@@ -19,7 +19,8 @@ OrganizedCloud wall(double depth = kDepth) {
   return seen;
 }
 
-Agreement as_seen_by_camera(const Cloud& source, const Rigid3& pose = {}, const AgreementTolerance& tolerance = kTolerance) {
+Agreement as_seen_by_camera(const Cloud& source, const Rigid3& pose = {},
+                            const AgreementTolerance& tolerance = kTolerance) {
   const OrganizedCloud target = wall();
   return ProjectiveMatcher(target.cloud, target.index, kCamera).agreement(source, pose, tolerance, 1);
 }

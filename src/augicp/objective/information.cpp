@@ -20,7 +20,9 @@ InformationModel point_information() {
 }
 
 InformationModel plane_information() {
-  return {.none = {}, .planar = {.position = {1.0, 0.0}, .direction = {}}, .edge = {.position = {0.0, 1.0}, .direction = {}}};
+  return {.none = {},
+          .planar = {.position = {1.0, 0.0}, .direction = {}},
+          .edge = {.position = {0.0, 1.0}, .direction = {}}};
 }
 
 InformationModel gicp_information(double epsilon) {

@@ -36,14 +36,15 @@ struct InformationModel {
 // the other.
 inline constexpr double kTable2Epsilon = 1e-3;
 
-InformationModel point_information();                                      // ICP: every direction counts alike
-InformationModel plane_information();                                      // distance to the plane or to the edge only
-InformationModel gicp_information(double epsilon = kTable2Epsilon);        // Omega^p of Table 2, Omega^l = 0
-InformationModel augmented_information(double epsilon = kTable2Epsilon);   // Table 2 as printed
+InformationModel point_information();                                     // ICP: every direction counts alike
+InformationModel plane_information();                                     // distance to the plane or to the edge only
+InformationModel gicp_information(double epsilon = kTable2Epsilon);       // Omega^p of Table 2, Omega^l = 0
+InformationModel augmented_information(double epsilon = kTable2Epsilon);  // Table 2 as printed
 
 // The default: Table 2, but an edge's position counts no more than that of a point without structure. Table 2 lets it
 // count fully across its tangent, which is right for a point on the crease itself; those within a ball of it, which the
-// classifier cannot tell from it, would then pull along their surface as in plain ICP (docs/results.md has the figures).
+// classifier cannot tell from it, would then pull along their surface as in plain ICP (docs/results.md has the
+// figures).
 InformationModel default_information(double epsilon = kTable2Epsilon);
 
 // The model with its linear part for a lever: an error of the direction by one radian counts as much as one of the

@@ -25,7 +25,8 @@ class PairIntensity {
   // NaN where it is not known. Without a gradient a pair says nothing of the pose.
   double residual(const Correspondence& pair, const Vec3d& q, const Vec3d& g) const {
     if (g.isZero(0.0)) return std::numeric_limits<double>::quiet_NaN();
-    return static_cast<double>(target_.intensities[pair.target]) + g.dot(q - target_.points[pair.target].cast<double>()) -
+    return static_cast<double>(target_.intensities[pair.target]) +
+           g.dot(q - target_.points[pair.target].cast<double>()) -
            static_cast<double>(source_.intensities[pair.source]);
   }
 

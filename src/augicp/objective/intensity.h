@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Brightness as a measurement beside position and direction. Of a pair (j, i), with q = T (+) p_j and g_i the target's gradient
-// along its surface, the error is what the target's brightness would be at q, less what the source measured:
+// Brightness as a measurement beside position and direction. Of a pair (j, i), with q = T (+) p_j and g_i the target's
+// gradient along its surface, the error is what the target's brightness would be at q, less what the source measured:
 //
 //   r = I_i + g_i . (q - p_i) - I_j - offset,   J = [g_i^T, (q x g_i)^T]
 //
-// J. Park, Q.-Y. Zhou, V. Koltun, "Colored Point Cloud Registration Revisited" (ICCV 2017) has the idea: a brightness defined
-// on the surface, not in an image, so that any cloud can have one.
+// J. Park, Q.-Y. Zhou, V. Koltun, "Colored Point Cloud Registration Revisited" (ICCV 2017) has the idea: a brightness
+// defined on the surface, not in an image, so that any cloud can have one.
 #pragma once
 
 #include <limits>
@@ -30,19 +30,21 @@ struct IntensityModel {
 // Are there intensities on both sides, and gradients in the target?
 bool compares_intensities(const Cloud& source, const Cloud& target);
 
-// r of every pair, offset included; NaN where the intensities are not compared: one of them or the gradient is not known.
+// r of every pair, offset included; NaN where the intensities are not compared: one of them or the gradient is not
+// known.
 std::vector<float> intensity_residuals(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                                        const Rigid3& target_from_source, int num_threads);
 
-// H, b and cost of this part alone; num_intensity_pairs counts those compared. Points without their origins. b is the gradient of the cost under
-// the offset given. H is that of a pose whose offset is not known but found with it (the Schur complement): a motion that a change
-// of exposure explains as well, such as one along an even ramp of brightness, is not held. Same bits for any number of threads.
+// H, b and cost of this part alone; num_intensity_pairs counts those compared. Points without their origins. b is the
+// gradient of the cost under the offset given. H is that of a pose whose offset is not known but found with it (the
+// Schur complement): a motion that a change of exposure explains as well, such as one along an even ramp of brightness,
+// is not held. Same bits for any number of threads.
 NormalEquations linearize_intensity(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                                     const Rigid3& target_from_source, const IntensityModel& model, int num_threads);
 
-// The information that both points of each pair hold: as H, but with one J of the target's gradient and one of the source's. What
-// the noise of one seems to hold, that of the other denies, so that a bare wall is held by neither. To judge a pose by, not to step
-// by: it may have eigenvalues a little below zero. Zero where the source has no gradients.
+// The information that both points of each pair hold: as H, but with one J of the target's gradient and one of the
+// source's. What the noise of one seems to hold, that of the other denies, so that a bare wall is held by neither. To
+// judge a pose by, not to step by: it may have eigenvalues a little below zero. Zero where the source has no gradients.
 Mat6d shared_intensity_information(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
                                    const Rigid3& target_from_source, const IntensityModel& model, int num_threads);
 

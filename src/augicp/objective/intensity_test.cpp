@@ -49,7 +49,8 @@ std::vector<Rigid3> some_poses() {
 
 // The definition, one pair after the other.
 double plain_residual(const TwoClouds& two, const Correspondence& pair, const Rigid3& pose) {
-  const Vec3d q = pose * two.source.points[pair.source].cast<double>(), p = two.target.points[pair.target].cast<double>();
+  const Vec3d q = pose * two.source.points[pair.source].cast<double>(),
+              p = two.target.points[pair.target].cast<double>();
   return static_cast<double>(two.target.intensities[pair.target]) +
          two.target.intensity_gradients[pair.target].cast<double>().dot(q - p) -
          static_cast<double>(two.source.intensities[pair.source]);
@@ -100,7 +101,8 @@ TEST(Intensity, VectorOfTheWholeObjectiveIsTheGradientOfItsCost) {
         return augicp::linearize(two.source, two.target, two.pairs, moved, objective, 1);
       };
       const auto cost = [&](const Rigid3& moved) {  // in double, whose digits bear differences
-        return testing::plain_cost(two.source, two.target, two.pairs, moved, objective) + linearize(two, moved, model).cost;
+        return testing::plain_cost(two.source, two.target, two.pairs, moved, objective) +
+               linearize(two, moved, model).cost;
       };
       EXPECT_NEAR(at(pose).cost, cost(pose), 2e-6 * cost(pose));
       EXPECT_LE(relative_difference(at(pose).b, testing::numeric_gradient(cost, pose)), 2e-6);
@@ -211,7 +213,8 @@ TEST(Intensity, PairsWithSomethingUnknownDoNotCount) {
   EXPECT_TRUE(linearize(two, Rigid3{}, {1.0}).H.allFinite());
 }
 
-// Clouds that have brightness and gradients, of which no pair can be compared: nothing is held, and nothing is divided by nothing.
+// Clouds that have brightness and gradients, of which no pair can be compared: nothing is held, and nothing is divided
+// by nothing.
 TEST(Intensity, WhereNoPairIsKnownNothingIsHeld) {
   TwoClouds two = random_pairs(50, 12);
   for (Vec3f& gradient : two.target.intensity_gradients) gradient.setZero();
@@ -219,7 +222,8 @@ TEST(Intensity, WhereNoPairIsKnownNothingIsHeld) {
   EXPECT_EQ(equations.H, Mat6d(Mat6d::Zero()));
   EXPECT_EQ(equations.b, Vec6d(Vec6d::Zero()));
   EXPECT_EQ(equations.num_intensity_pairs, 0);
-  EXPECT_EQ(shared_intensity_information(two.source, two.target, two.pairs, {}, {200.0, 30.0}, 1), Mat6d(Mat6d::Zero()));
+  EXPECT_EQ(shared_intensity_information(two.source, two.target, two.pairs, {}, {200.0, 30.0}, 1),
+            Mat6d(Mat6d::Zero()));
 }
 
 TEST(Intensity, WithoutItOnEitherSideThereIsNone) {

@@ -14,7 +14,9 @@ using Vecf = Vec<float>;
 using Vecd = Vec<double>;
 
 inline Vecf at(const PairBatch::Array<float> (&a)[3], int k) { return {a[0][k], a[1][k], a[2][k]}; }
-inline Vecd wide(const Vecf& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
+inline Vecd wide(const Vecf& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
 inline void put(PairBatch::Array<float> (&a)[3], int k, const Vecf& v) { a[0][k] = v.x, a[1][k] = v.y, a[2][k] = v.z; }
 inline void put(PairBatch::Array<float> (&a)[3], int k, const Vecd& v) {
   put(a, k, Vecf{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});

@@ -106,8 +106,8 @@ LocalModel carried_over(const LocalModel& model, const Scan& keyframe, const Rig
   LocalModel carried;
   carried.scan.view = Scan::View{IndexImage(view.index.width, view.index.height), view.camera};
   carried.scan.cloud.viewpoint = keyframe.cloud.viewpoint;
-  const IndexImage seen = project(model.scan.cloud, keyframe_from_model, view.camera, view.index.width,
-                                  view.index.height, num_threads);
+  const IndexImage seen =
+      project(model.scan.cloud, keyframe_from_model, view.camera, view.index.width, view.index.height, num_threads);
   const MovedPoints moved(model.scan.cloud, keyframe_from_model);
   for (std::size_t pixel = 0; pixel < seen.index.size(); ++pixel) {
     const std::int32_t i = seen.index[pixel];

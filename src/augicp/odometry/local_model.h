@@ -10,8 +10,8 @@
 namespace augicp {
 
 struct MergeOptions {
-  // A reading is averaged into the model's point on its line of sight if it is no farther from it than this, metres, and
-  // both directions agree within this angle, radians.
+  // A reading is averaged into the model's point on its line of sight if it is no farther from it than this, metres,
+  // and both directions agree within this angle, radians.
   double max_distance = 0.05;
   double max_angle = 0.45;
 
@@ -24,7 +24,8 @@ struct LocalModel {
   std::vector<float> weights;  // of each point's average: the sum over its readings
 };
 
-// A model that a single frame saw. Every frame must have a view and directions; without weights all its points count alike.
+// A model that a single frame saw. Every frame must have a view and directions; without weights all its points count
+// alike.
 LocalModel model_of(const Scan& keyframe);
 
 // Averages a registered frame into the model; where the model's view has nothing yet, the frame's points are added.

@@ -21,7 +21,8 @@ Scan seen_from(const Rigid3& scene_camera_from_camera, unsigned noise_seed) {
   const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(80);
   DepthImage depth =
-      testing::render(room, camera, camera.width, camera.height, room.world_from_camera * scene_camera_from_camera).depth;
+      testing::render(room, camera, camera.width, camera.height, room.world_from_camera * scene_camera_from_camera)
+          .depth;
   if (noise_seed > 0) testing::add_depth_noise(depth, testing::kKinectSigmaAt1m, noise_seed);
   const Scan scan = scan_of(depth, camera);
   return prepare(scan, derive_lengths(scan, scan), RegistrationOptions{});

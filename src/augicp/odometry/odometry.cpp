@@ -15,8 +15,8 @@ namespace {
 // Fewer say nothing about six numbers in the noise of an image.
 constexpr std::size_t kMinReadings = 500;
 
-// A camera that is followed is where it is expected to within a few centimetres, so that the gates of a first guess only
-// let wrong pairs in: a quarter of the distance, and half of the angle.
+// A camera that is followed is where it is expected to within a few centimetres, so that the gates of a first guess
+// only let wrong pairs in: a quarter of the distance, and half of the angle.
 constexpr double kGatePerFirstGate = 0.25;
 constexpr double kMaxAngle = 0.5;
 
@@ -24,7 +24,8 @@ constexpr double kMaxAngle = 0.5;
 // scene's shape: on fr1 it takes a sixth off the drift. Half of it would lose the far walls of fr1/rpy.
 constexpr double kRadiusPerFirstRadius = 0.7;
 
-// Steps below this part of the extent, some tenths of a millimetre, are far below what a frame's noise does to its pose.
+// Steps below this part of the extent, some tenths of a millimetre, are far below what a frame's noise does to its
+// pose.
 constexpr double kMinStep = 1e-4;
 constexpr int kMaxIterations = 30;
 
@@ -142,8 +143,9 @@ Scan Odometry::register_frame(const Scan& frame, const RegistrationOptions& opti
     // The first frame of a segment was taken as it came: only now is it known how the camera moved then.
     if (start_frame_ && pass > 0)
       straight_start = model_of(straightened(*start_frame_, report.stamp_s, report.world_from_camera));
-    const AlignResult result = register_prepared(straight, (straight_start ? straight_start : reference_)->scan,
-                                                 inverse(world_from_reference_) * report.world_from_camera, lengths, options);
+    const AlignResult result =
+        register_prepared(straight, (straight_start ? straight_start : reference_)->scan,
+                          inverse(world_from_reference_) * report.world_from_camera, lengths, options);
     report.registration = result.status;
     report.iterations += result.iterations;
     report.num_pairs = result.num_pairs;
@@ -214,7 +216,8 @@ FrameReport Odometry::placed(double stamp_s, const Scan& frame, const std::stop_
   report.segment = segment_;
   if (!frame.view || !frame.cloud.has_directions() || frame.cloud.size() < kMinReadings) {
     report.status = FrameStatus::NoReadings;
-    report.problem = std::to_string(frame.cloud.size()) + " readings, at least " + std::to_string(kMinReadings) + " are needed";
+    report.problem =
+        std::to_string(frame.cloud.size()) + " readings, at least " + std::to_string(kMinReadings) + " are needed";
     return report;
   }
   if (!reference_ || num_lost_ >= options_.max_lost) {

@@ -36,8 +36,9 @@ struct OdometryOptions {
   double min_overlap = 0.35;
   double keyframe_overlap = 0.7;
 
-  // A frame is doubtful above this strain, see align/verdict.h. 1 is what a pair of images must keep to, whose pose may be anywhere;
-  // a camera that is followed is where it is expected. Of the frames of fr1/desk, which are all tracked well, one reaches 2.2.
+  // A frame is doubtful above this strain, see align/verdict.h. 1 is what a pair of images must keep to, whose pose may
+  // be anywhere; a camera that is followed is where it is expected. Of the frames of fr1/desk, which are all tracked
+  // well, one reaches 2.2.
   double max_strain = 3.0;
 
   // After so many lost or doubtful frames on end, the next one starts a new segment of the trajectory.
@@ -87,8 +88,8 @@ struct FrameReport {
 // The extended points of a frame. Throws std::invalid_argument where the image is not of the camera's size.
 Scan prepare_frame(const DepthImage& image, const DepthCamera& camera, const OdometryOptions& options);
 
-// Tracks one camera. Its memory does not grow with the number of frames. Not for concurrent use; independent objects may
-// be used concurrently.
+// Tracks one camera. Its memory does not grow with the number of frames. Not for concurrent use; independent objects
+// may be used concurrently.
 class Odometry {
  public:
   // Throws std::invalid_argument for options out of range. readout_s: see DepthCamera.

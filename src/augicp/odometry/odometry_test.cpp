@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 #include <limits>
 #include <numbers>
 #include <stop_token>
@@ -266,11 +265,14 @@ TEST(OdometryInterrupted, IsAsItWasBefore) {
 
 // As the lists of frames say them.
 TEST(FrameStatus, EveryOneHasItsName) {
-  const std::pair<FrameStatus, const char*> names[] = {
-      {FrameStatus::Started, "started"},       {FrameStatus::Tracked, "tracked"},
-      {FrameStatus::Degenerate, "degenerate"}, {FrameStatus::Doubtful, "doubtful"},
-      {FrameStatus::Lost, "lost"},             {FrameStatus::NoReadings, "no_readings"},
-      {FrameStatus::OutOfOrder, "out_of_order"}, {FrameStatus::Unreadable, "unreadable"}};
+  const std::pair<FrameStatus, const char*> names[] = {{FrameStatus::Started, "started"},
+                                                       {FrameStatus::Tracked, "tracked"},
+                                                       {FrameStatus::Degenerate, "degenerate"},
+                                                       {FrameStatus::Doubtful, "doubtful"},
+                                                       {FrameStatus::Lost, "lost"},
+                                                       {FrameStatus::NoReadings, "no_readings"},
+                                                       {FrameStatus::OutOfOrder, "out_of_order"},
+                                                       {FrameStatus::Unreadable, "unreadable"}};
   for (const auto& [status, name] : names) EXPECT_EQ(name_of(status), name);
 }
 

@@ -66,7 +66,8 @@ std::vector<FrameReport> tracked(std::vector<DepthFrame> frames, int num_threads
 
 TEST(TrackThreads, GiveTheSameBits) {
   const std::vector<FrameReport> on_one = tracked(moving_frames(20), 1);
-  EXPECT_TRUE(std::any_of(on_one.begin() + 1, on_one.end(), [](const FrameReport& report) { return report.is_keyframe; }));
+  EXPECT_TRUE(
+      std::any_of(on_one.begin() + 1, on_one.end(), [](const FrameReport& report) { return report.is_keyframe; }));
   for (const int num_threads : {0, 2, 5}) {
     const std::vector<FrameReport> on_more = tracked(moving_frames(20), num_threads);
     ASSERT_EQ(on_more.size(), on_one.size());
@@ -114,8 +115,9 @@ TEST(Track, WhatTheSourceThrowsReachesTheCaller) {
   };
   for (const int num_threads : {1, 2}) {
     Broken source;
-    EXPECT_THROW(track(source, {testing::kinect_like_camera(kWidth), {}}, small_images(num_threads), [](const auto&) {}),
-                 std::runtime_error);
+    EXPECT_THROW(
+        track(source, {testing::kinect_like_camera(kWidth), {}}, small_images(num_threads), [](const auto&) {}),
+        std::runtime_error);
   }
 }
 
@@ -136,7 +138,8 @@ class RepeatedFrames : public FrameSource {
   int count_, next_ = 0;
 };
 
-// What the process has allocated and not given back, exactly: it tells a leak after fewer frames than the resident memory.
+// What the process has allocated and not given back, exactly: it tells a leak after fewer frames than the resident
+// memory.
 double held_megabytes() {
   const struct mallinfo2 heap = ::mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6;

@@ -8,6 +8,6 @@
 namespace augicp {
 
 inline const std::map<std::string, Reference> kReferences{{"model", Reference::Model},
-                                                         {"previous", Reference::PreviousFrame}};
+                                                          {"previous", Reference::PreviousFrame}};
 
 }  // namespace augicp

@@ -128,8 +128,10 @@ TEST(Degenerate, BareCloudsOfTwelveShapesNameWhatIsFree) {
       ASSERT_EQ(result.free_motions.size(), family.free_motions.size()) << family.name << " " << noise;
       const Observability& seen = result.observability;
       std::vector<Vec6d> found;
-      for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(family.free_motions.size()); ++k) found.push_back(seen.directions.col(k));
-      EXPECT_LT(testing::angle_to_free(family, found, seen.gyration, seen.centroid), 5.0 * kDegree) << family.name << " " << noise;
+      for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(family.free_motions.size()); ++k)
+        found.push_back(seen.directions.col(k));
+      EXPECT_LT(testing::angle_to_free(family, found, seen.gyration, seen.centroid), 5.0 * kDegree)
+          << family.name << " " << noise;
       const Vec6d left = increment_between(motion, result.target_from_source);
       EXPECT_LT(testing::held_part(family, left, seen.gyration, seen.centroid), 0.002) << family.name << " " << noise;
     }

@@ -24,7 +24,8 @@ double plausibility(const Agreement& agreement);
 // over the sphere (those of a cube through its faces and corners).
 std::vector<Rigid3> turned(const Rigid3& guess, const Vec3d& place_in_target, const std::vector<double>& angles_rad);
 
-// The best of the hypotheses, best first, at most so many; of those that differ by less than both limits only the first.
+// The best of the hypotheses, best first, at most so many; of those that differ by less than both limits only the
+// first.
 std::vector<Hypothesis> best_of(std::vector<Hypothesis> hypotheses, std::size_t max_count, double min_distance,
                                 double min_angle_rad);
 

@@ -20,7 +20,8 @@ TEST(Plausibility, IsOneWhereAllAgreesAndNothingWhereNothingIsSeen) {
 
 // Little overlap that agrees is better than much that does not.
 TEST(Plausibility, AConflictCostsMoreThanManyAgree) {
-  EXPECT_GT(plausibility({.agree = 15, .unseen = 85}), plausibility({.agree = 60, .differ = 10, .conflict = 7, .hidden = 10}));
+  EXPECT_GT(plausibility({.agree = 15, .unseen = 85}),
+            plausibility({.agree = 60, .differ = 10, .conflict = 7, .hidden = 10}));
   EXPECT_LT(plausibility({.agree = 50, .conflict = 10, .unseen = 40}), 0.0);
 }
 

@@ -19,7 +19,9 @@ constexpr double kGreyNoise = 0.01;
 using Brightness = double (*)(const Vec3d& point_in_world);
 
 // Blots of some 20 cm.
-double blots(const Vec3d& p) { return 0.5 + 0.2 * std::sin(9.0 * p.x() + 2.0 * p.z()) + 0.2 * std::cos(11.0 * p.z() - 4.0 * p.y()); }
+double blots(const Vec3d& p) {
+  return 0.5 + 0.2 * std::sin(9.0 * p.x() + 2.0 * p.z()) + 0.2 * std::cos(11.0 * p.z() - 4.0 * p.y());
+}
 double even(const Vec3d&) { return 0.5; }
 double ramp(const Vec3d& p) { return 0.5 + 0.2 * p.z(); }
 
@@ -28,7 +30,8 @@ struct Exposure {
   unsigned seed = 1;
 };
 
-Scan seen(const testing::Scene& scene, const Rigid3& world_from_camera, Brightness brightness, const Exposure& exposure) {
+Scan seen(const testing::Scene& scene, const Rigid3& world_from_camera, Brightness brightness,
+          const Exposure& exposure) {
   const Pinhole camera = testing::kinect_like_camera(kWidth);
   DepthImage depth = testing::render(scene, camera, camera.width, camera.height, world_from_camera).depth;
   const DepthImage exact = depth;
@@ -51,8 +54,8 @@ AlignResult aligned(const testing::Scene& scene, Brightness brightness, bool int
   const Rigid3& place = scene.world_from_camera;
   RegistrationOptions options;
   options.intensity = intensity;
-  return register_scans(seen(scene, place * kMotion, brightness, {offset, kGreyNoise, 2}), seen(scene, place, brightness, {}), {},
-                        options);
+  return register_scans(seen(scene, place * kMotion, brightness, {offset, kGreyNoise, 2}),
+                        seen(scene, place, brightness, {}), {}, options);
 }
 
 TEST(IntensityChannel, ATexturedWallIsHeldAndABareOneIsNot) {

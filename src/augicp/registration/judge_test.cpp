@@ -43,7 +43,8 @@ Evidence evidence_at(const Pair& pair, const Rigid3& pose) {
   const Lengths lengths = lengths_for(pair.source, pair.target, options);
   const Scan source = prepare(pair.source, lengths, options), target = prepare(pair.target, lengths, options);
   const auto matcher = matcher_for(target, target.view.has_value());
-  return gather_evidence(source, target, *matcher, pose, lengths, align_options(lengths, target.view.has_value(), options));
+  return gather_evidence(source, target, *matcher, pose, lengths,
+                         align_options(lengths, target.view.has_value(), options));
 }
 
 TEST(Judge, TheRightPoseHasWitnessesBothWays) {
@@ -92,7 +93,8 @@ TEST(Judge, WithoutCommonSurfaceNothingIsTrusted) {
     EXPECT_NE(register_scans(pair.source, pair.target).status, AlignStatus::Converged);
 }
 
-// A corner without anything in it is found again from afar, but any other would be too; only a near guess tells which it is.
+// A corner without anything in it is found again from afar, but any other would be too; only a near guess tells which
+// it is.
 TEST(Judge, BareCornersAreTrustedNearTheGuessOnly) {
   const testing::Scene scene = testing::room_corner();
   const Rigid3 from = testing::look_at({0.8, 2.3, 1.7}, {0.4, 0.0, 0.3}), to = scene.world_from_camera;
@@ -103,7 +105,8 @@ TEST(Judge, BareCornersAreTrustedNearTheGuessOnly) {
   EXPECT_LT(far.evidence->beyond_planes, 0.0025);
   EXPECT_GT(far.evidence->moved, 0.5);
   EXPECT_EQ(far.doubts, std::vector<Doubt>{Doubt::BarePlanes});
-  const AlignResult near = register_scans(source, target, motion * Rigid3{rotation_exp({0.0, 0.05, 0.0}), {0.02, 0.0, 0.0}});
+  const AlignResult near =
+      register_scans(source, target, motion * Rigid3{rotation_exp({0.0, 0.05, 0.0}), {0.02, 0.0, 0.0}});
   EXPECT_THAT(near.target_from_source, testing::NearPose(motion, 0.02, 0.05));
   EXPECT_EQ(near.status, AlignStatus::Converged);
 }

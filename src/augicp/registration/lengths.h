@@ -18,8 +18,8 @@ struct Lengths {
 Vec3f median_point(const Cloud& cloud);
 
 // Of a cloud: twice the 80th percentile of the distances from the component-wise median; a few far points do not move
-// it. Of a depth image: 1.2 times the median distance from the camera, for that is what a view of 60 degrees is wide; what
-// happens to lie in the background then matters less. 0 for an empty cloud.
+// it. Of a depth image: 1.2 times the median distance from the camera, for that is what a view of 60 degrees is wide;
+// what happens to lie in the background then matters less. 0 for an empty cloud.
 double robust_extent(const Scan& scan);
 
 // The voxel with which a ball of this radius is estimated well and in bounded time, metres.

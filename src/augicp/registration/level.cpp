@@ -48,11 +48,10 @@ AlignResult Level::align(const Rigid3& guess, const AlignOptions& options) const
 
 double Level::plausibility(const Rigid3& target_from_source, int num_threads) const {
   const Rigid3 pose = without_origins(target_from_source, source_.cloud, target_.cloud);
-  Agreement agreement = in_target_->agreement(source_.cloud, pose,
-                                              tolerance_for(target_, lengths_, options_.association), num_threads);
+  Agreement agreement =
+      in_target_->agreement(source_.cloud, pose, tolerance_for(target_, lengths_, options_.association), num_threads);
   const Association back = source_.view ? options_.association : Association::Nearest;
-  agreement += in_source_->agreement(target_.cloud, inverse(pose), tolerance_for(source_, lengths_, back),
-                                     num_threads);
+  agreement += in_source_->agreement(target_.cloud, inverse(pose), tolerance_for(source_, lengths_, back), num_threads);
   return augicp::plausibility(agreement);
 }
 

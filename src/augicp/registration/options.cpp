@@ -8,8 +8,8 @@
 namespace augicp {
 namespace {
 
-// The lever may not exceed this many radii of the ball: farther apart than about a ball, what a pair's directions say of
-// the rotation is no better than what curvature and wrong pairs make of them. Chosen on fr1/desk.
+// The lever may not exceed this many radii of the ball: farther apart than about a ball, what a pair's directions say
+// of the rotation is no better than what curvature and wrong pairs make of them. Chosen on fr1/desk.
 constexpr double kLeverPerRadius = 1.4;
 
 // A nearest neighbour is near by construction, right or wrong, so that the gate must close where scans overlap in part

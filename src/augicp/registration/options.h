@@ -46,16 +46,16 @@ struct RegistrationOptions {
   std::optional<double> damping;      // see AlignOptions
 
   // Beyond the paper, and off under its preset.
-  bool search = true;             // where the guess leads nowhere convincing, others are tried: see search_start()
-  bool coarse_to_fine = true;     // large images are aligned thinned first
-  bool rolling_shutter = true;    // what rolling shutters bend is straightened, see ReadoutMotion
+  bool search = true;           // where the guess leads nowhere convincing, others are tried: see search_start()
+  bool coarse_to_fine = true;   // large images are aligned thinned first
+  bool rolling_shutter = true;  // what rolling shutters bend is straightened, see ReadoutMotion
 
-  // A third measurement, where both inputs have intensities: their brightness, see objective/intensity.h. At full resolution
-  // only, so that the search and the coarse alignments are as without it.
+  // A third measurement, where both inputs have intensities: their brightness, see objective/intensity.h. At full
+  // resolution only, so that the search and the coarse alignments are as without it.
   bool intensity = false;
 
-  // How sure the pose is, AlignResult::covariance. Not asked for, it saves a twentieth of the time of large images and a
-  // fifth of that of small ones.
+  // How sure the pose is, AlignResult::covariance. Not asked for, it saves a twentieth of the time of large images and
+  // a fifth of that of small ones.
   bool covariance = true;
 
   int max_iterations = 50;  // at full resolution

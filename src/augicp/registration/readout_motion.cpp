@@ -19,8 +19,8 @@ using Mat18 = Eigen::Matrix<double, 18, 18>;
 constexpr double kUsualTurn = 3.0 * std::numbers::pi / 180.0;
 constexpr double kUsualShift = 0.005;
 
-// The errors of a depth image's neighbouring points are alike, so that all its thousands of pairs together say as much as
-// so many that err independently. Chosen on fr1/desk, where a quarter and four times as many do hardly worse.
+// The errors of a depth image's neighbouring points are alike, so that all its thousands of pairs together say as much
+// as so many that err independently. Chosen on fr1/desk, where a quarter and four times as many do hardly worse.
 constexpr double kIndependentPairs = 15.0;
 
 constexpr std::size_t kMinPairs = 300;
@@ -44,7 +44,8 @@ std::vector<float> readout_times(const Scan& scan) {
   return times;
 }
 
-std::vector<PlaneError> plane_errors(const SkewedPair& scans, std::span<const Correspondence> pairs, const Rigid3& pose) {
+std::vector<PlaneError> plane_errors(const SkewedPair& scans, std::span<const Correspondence> pairs,
+                                     const Rigid3& pose) {
   const Cloud &source = scans.straight_source.cloud, &target = scans.straight_target.cloud;
   if (!target.has_directions()) return {};
   const std::vector<float> source_times = readout_times(scans.source), target_times = readout_times(scans.target);
@@ -57,7 +58,8 @@ std::vector<PlaneError> plane_errors(const SkewedPair& scans, std::span<const Co
     Vec6d of_pose;
     of_pose << normal, moved.cross(normal);
     PlaneError e;
-    e.derivative << of_pose, static_cast<double>(source_times[j]) * of_pose, -static_cast<double>(target_times[i]) * of_pose;
+    e.derivative << of_pose, static_cast<double>(source_times[j]) * of_pose,
+        -static_cast<double>(target_times[i]) * of_pose;
     e.error = normal.dot(target.points[i].cast<double>() - moved);
     e.information = target.weights.empty() ? 1.0 : static_cast<double>(target.weights[i]);
     errors.push_back(e);

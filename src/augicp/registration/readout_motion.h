@@ -23,10 +23,10 @@ struct SkewedPair {
 };
 
 // The motion that the pairs show, found so far and improved by one step. Each camera's motion adds six unknowns to the
-// pose's: a point read at time tau of the readout, from -1/2 at the first row to 1/2 at the last, is off by tau times the
-// motion, so that the derivatives of Eq. (12) for it are tau times those for the pose; all eighteen are solved for at
-// once. A scene shows little more than the difference of both motions. What it does not show is held near zero by how
-// fast hands turn and move a camera.
+// pose's: a point read at time tau of the readout, from -1/2 at the first row to 1/2 at the last, is off by tau times
+// the motion, so that the derivatives of Eq. (12) for it are tau times those for the pose; all eighteen are solved for
+// at once. A scene shows little more than the difference of both motions. What it does not show is held near zero by
+// how fast hands turn and move a camera.
 ReadoutMotion improved(const ReadoutMotion& so_far, const SkewedPair& scans, std::span<const Correspondence> pairs,
                        const Rigid3& target_from_source);
 

@@ -119,12 +119,13 @@ TEST(Registration, HopelessInputFails) {
   std::vector<Scan> hopeless{Scan{}, scan_of(equal)};
   for (std::size_t count = 1; count <= 5; ++count) {
     Cloud few;
-    few.points.assign(pair.source.cloud.points.begin(), pair.source.cloud.points.begin() + static_cast<std::ptrdiff_t>(count));
+    few.points.assign(pair.source.cloud.points.begin(),
+                      pair.source.cloud.points.begin() + static_cast<std::ptrdiff_t>(count));
     hopeless.push_back(scan_of(few));
   }
   for (const Scan& scan : hopeless) {
-    for (const AlignResult& result : {register_scans(scan, pair.target, guess), register_scans(pair.target, scan, guess),
-                                      register_scans(scan, scan, guess)}) {
+    for (const AlignResult& result : {register_scans(scan, pair.target, guess),
+                                      register_scans(pair.target, scan, guess), register_scans(scan, scan, guess)}) {
       EXPECT_TRUE(result.status == AlignStatus::TooFewPairs || result.status == AlignStatus::NoOverlap)
           << name_of(result.status) << " for " << scan.cloud.size() << " points";
       EXPECT_THAT(result.target_from_source, NearPose(guess, 0.0, 0.0));
@@ -132,8 +133,8 @@ TEST(Registration, HopelessInputFails) {
   }
 }
 
-// robustness 10, 12: clouds on which what is quick on others could take the square of the time. With as many points as here
-// that would be hours.
+// robustness 10, 12: clouds on which what is quick on others could take the square of the time. With as many points as
+// here that would be hours.
 TEST(Registration, PathologicalCloudsEnd) {
   constexpr std::size_t kCount = 100000;
   const auto cloud_of = [](const auto& place) {
@@ -162,7 +163,8 @@ TEST(Registration, AFarOutlierChangesNothing) {
     Scan source = pair.source;
     source.cloud.points.emplace_back(distance, 0.0f, 0.0f);
     source.cloud.weights.push_back(1.0f);
-    EXPECT_THAT(register_scans(source, pair.target).target_from_source, NearPose(expected.target_from_source, 1e-3, 2e-3));
+    EXPECT_THAT(register_scans(source, pair.target).target_from_source,
+                NearPose(expected.target_from_source, 1e-3, 2e-3));
   }
 }
 

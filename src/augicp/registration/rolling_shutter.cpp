@@ -23,7 +23,8 @@ Scan without_skew(const Scan& scan, const Rigid3& first_from_last, int num_threa
       if (i == IndexImage::kNone) continue;
       cloud.points[i] = rotation * scan.cloud.points[i] + translation;
       if (scan.cloud.has_directions()) cloud.directions[i] = rotation * scan.cloud.directions[i];
-      if (scan.cloud.has_intensity_gradients()) cloud.intensity_gradients[i] = rotation * scan.cloud.intensity_gradients[i];
+      if (scan.cloud.has_intensity_gradients())
+        cloud.intensity_gradients[i] = rotation * scan.cloud.intensity_gradients[i];
     }
   }
   straight.view->index = project(cloud, Rigid3{}, scan.view->camera, seen.width, seen.height, num_threads);

@@ -43,8 +43,7 @@ Skewed skewed_room() {
   const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(64);
   skewed.world_from_middle = room.world_from_camera;
-  const DepthImage image =
-      testing::render_rolling(room, camera, skewed.world_from_middle, skewed.first_from_last);
+  const DepthImage image = testing::render_rolling(room, camera, skewed.world_from_middle, skewed.first_from_last);
   std::vector<Rigid3> world_from_rows;
   for (int v = 0; v < camera.height; ++v) {
     const double share = (v + 0.5) / camera.height - 0.5;

@@ -35,7 +35,8 @@ inline Scan scan_of(const DepthImage& image, const DepthCamera& camera, int step
   return scan;
 }
 
-// The same with a colour image's brightness, registered to the depth image. Throws std::invalid_argument where their sizes differ.
+// The same with a colour image's brightness, registered to the depth image. Throws std::invalid_argument where their
+// sizes differ.
 inline Scan scan_of(const DepthImage& image, const GreyImage& colour, const DepthCamera& camera, int step = 1,
                     const DepthRange& range = {}) {
   Scan scan = scan_of(image, camera, step, range);

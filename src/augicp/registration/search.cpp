@@ -20,8 +20,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kCoarseColumns = 40, kMiddleColumns = 80;
 constexpr double kCoarseVoxels = 8.0, kMiddleVoxels = 4.0;
 
-// On images an alignment finds its way from some 10 degrees, farther turned images soon see nothing in common. Clouds seen
-// all around are found from 40 degrees.
+// On images an alignment finds its way from some 10 degrees, farther turned images soon see nothing in common. Clouds
+// seen all around are found from 40 degrees.
 const std::vector<double> kTurnsOfImages{17.0 * kDegree, 34.0 * kDegree, 51.0 * kDegree};
 const std::vector<double> kTurnsOfClouds{40.0 * kDegree, 80.0 * kDegree};
 const std::vector<double> kTurnsOfPulled{40.0 * kDegree};
@@ -91,7 +91,8 @@ bool is_convincing(const std::vector<Hypothesis>& hypotheses) {
 }
 
 // The first start is the guess: where it convinces the others are not tried.
-std::vector<Hypothesis> led_on_from_guess(const Level& level, std::span<const Rigid3> starts, const AlignOptions& options) {
+std::vector<Hypothesis> led_on_from_guess(const Level& level, std::span<const Rigid3> starts,
+                                          const AlignOptions& options) {
   std::vector<Hypothesis> found = led_on(level, starts.first(1), options);
   if (is_convincing(found)) return found;
   const auto others = led_on(level, starts.subspan(1), options);
@@ -99,8 +100,8 @@ std::vector<Hypothesis> led_on_from_guess(const Level& level, std::span<const Ri
   return found;
 }
 
-// Where lines of sight lead nowhere, nearest points may: they pull two images together from half a metre, though not always to
-// where they belong. So they only propose starts.
+// Where lines of sight lead nowhere, nearest points may: they pull two images together from half a metre, though not
+// always to where they belong. So they only propose starts.
 std::vector<Rigid3> pulled_together(const Level& coarse, std::vector<Rigid3> starts, const Lengths& lengths,
                                     RegistrationOptions options) {
   options.association = Association::Nearest;
@@ -132,8 +133,9 @@ Rigid3 search_start(const Scan& source, const Scan& target, const Rigid3& guess_
                     const Lengths& lengths, const RegistrationOptions& options) {
   const Level coarse(coarser(source, kCoarseColumns, kCoarseVoxels, lengths),
                      coarser(target, kCoarseColumns, kCoarseVoxels, lengths), lengths, options);
-  const std::vector<Hypothesis> candidates = best_of(coarse_hypotheses(coarse, guess_target_from_source, lengths, options),
-                                                     kMaxCandidates, lengths.radius, kSameAngle);
+  const std::vector<Hypothesis> candidates =
+      best_of(coarse_hypotheses(coarse, guess_target_from_source, lengths, options), kMaxCandidates, lengths.radius,
+              kSameAngle);
   if (candidates.empty()) return guess_target_from_source;
   const Level middle(coarser(source, kMiddleColumns, kMiddleVoxels, lengths),
                      coarser(target, kMiddleColumns, kMiddleVoxels, lengths), lengths, options);

@@ -31,7 +31,8 @@ TEST(Search, ImagesMeetFromFarther) {
   const Pair pair = room_pair(0.6);
   EXPECT_THAT(register_scans(pair.source, pair.target, {}, without_search()).target_from_source,
               ::testing::Not(NearPose(pair.target_from_source, 0.1, 0.1)));
-  EXPECT_THAT(register_scans(pair.source, pair.target).target_from_source, NearPose(pair.target_from_source, 0.02, 0.05));
+  EXPECT_THAT(register_scans(pair.source, pair.target).target_from_source,
+              NearPose(pair.target_from_source, 0.02, 0.05));
 }
 
 TEST(Search, CloudsMeetFromFarther) {
@@ -42,11 +43,13 @@ TEST(Search, CloudsMeetFromFarther) {
     const Vec3d middle = median_point(source.cloud).cast<double>();
     const Rigid3 turn = testing::random_motion(generator, 1.2, 0.0);
     const Rigid3 guess = pair.target_from_source * Rigid3{turn.rotation, middle - turn.rotation * middle};
-    EXPECT_THAT(register_scans(source, target, guess).target_from_source, NearPose(pair.target_from_source, 0.02, 0.03));
+    EXPECT_THAT(register_scans(source, target, guess).target_from_source,
+                NearPose(pair.target_from_source, 0.02, 0.03));
   }
 }
 
-// Turned by half a right angle and moved aside, lines of sight lead nowhere: only what nearest points pulled together does.
+// Turned by half a right angle and moved aside, lines of sight lead nowhere: only what nearest points pulled together
+// does.
 TEST(Search, ImagesAreFoundFromAside) {
   const Pair pair = room_pair(0.1);
   for (const Rigid3& off : {Rigid3{rotation_exp({0.58, -0.64, 0.27}), {-0.4, 0.3, -0.3}},
@@ -61,7 +64,8 @@ TEST(Search, ImagesAreFoundFromAside) {
 TEST(Search, AGoodGuessIsNotMadeWorse) {
   const Pair pair = room_pair(0.1);
   const Rigid3 with = register_scans(pair.source, pair.target, pair.target_from_source).target_from_source;
-  const Rigid3 without = register_scans(pair.source, pair.target, pair.target_from_source, without_search()).target_from_source;
+  const Rigid3 without =
+      register_scans(pair.source, pair.target, pair.target_from_source, without_search()).target_from_source;
   EXPECT_THAT(with, NearPose(without, 1e-3, 2e-3));
 }
 

@@ -64,7 +64,8 @@ AUGICP_VECTORIZED void find_row(const DepthCamera& camera, const Pinhole& ideal,
 }
 
 // The values of an image of the camera's as thinned(camera.pinhole, step) would have seen them; NaN outside.
-std::vector<float> rectified(const std::vector<float>& values, int width, int height, const DepthCamera& camera, int step) {
+std::vector<float> rectified(const std::vector<float>& values, int width, int height, const DepthCamera& camera,
+                             int step) {
   const Pinhole seen_by = thinned(camera.pinhole, step);
   DepthCamera whole = camera;  // whose images' size may be unknown
   whole.pinhole.width = width, whole.pinhole.height = height;

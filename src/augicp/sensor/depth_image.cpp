@@ -20,7 +20,8 @@ float metres(std::uint16_t value, double depth_scale) {
 
 float metres(float value, double depth_scale) {
   const bool is_reading = std::isfinite(value) && value > 0.0f;
-  return is_reading ? static_cast<float>(static_cast<double>(value) / depth_scale) : std::numeric_limits<float>::quiet_NaN();
+  return is_reading ? static_cast<float>(static_cast<double>(value) / depth_scale)
+                    : std::numeric_limits<float>::quiet_NaN();
 }
 
 template <typename Value>
@@ -47,7 +48,8 @@ void check_size(const DepthImage& image, const Pinhole& camera) {
   camera.check();
   if (image.width < 0 || image.height < 0 || image.depth.size() != static_cast<std::size_t>(image.width) * image.height)
     throw std::invalid_argument("depth image: the array does not hold width * height values");
-  const bool fits = (camera.width == 0 || camera.width == image.width) && (camera.height == 0 || camera.height == image.height);
+  const bool fits =
+      (camera.width == 0 || camera.width == image.width) && (camera.height == 0 || camera.height == image.height);
   if (fits) return;
   throw std::invalid_argument("depth image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                               " pixels, the camera's are " + std::to_string(camera.width) + " x " +

@@ -22,8 +22,8 @@ struct DepthImage {
 };
 
 // The image of a sensor's values, row-major: metres = value / depth_scale; 0 and 65535 are no reading, of values with
-// fractions those that are not above 0 or not finite. Both throw std::invalid_argument unless depth_scale is finite and above 0 and there
-// are width * height values.
+// fractions those that are not above 0 or not finite. Both throw std::invalid_argument unless depth_scale is finite and
+// above 0 and there are width * height values.
 DepthImage depth_image(std::span<const std::uint16_t> values, int width, int height, double depth_scale);
 DepthImage depth_image(std::span<const float> values, int width, int height, double depth_scale);
 

@@ -20,8 +20,8 @@ struct GreyImage {
 // Throws std::invalid_argument where the array's length is not width * height.
 void check_size(const GreyImage& image);
 
-// Gives every point the brightness of the pixel that it was seen in. Throws std::invalid_argument where the two images are not
-// of one size.
+// Gives every point the brightness of the pixel that it was seen in. Throws std::invalid_argument where the two images
+// are not of one size.
 void add_intensities(Cloud& cloud, const IndexImage& seen, const GreyImage& image);
 
 }  // namespace augicp

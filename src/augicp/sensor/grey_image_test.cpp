@@ -45,7 +45,9 @@ TEST(GreyImage, IsRectifiedAsTheDepthImageIs) {
     ASSERT_EQ(straight.value.size(), depth.depth.size());
     EXPECT_EQ(straight.width, depth.width);
     for (std::size_t pixel = 0; pixel < depth.depth.size(); ++pixel)
-      if (!std::isnan(depth.depth[pixel])) { ASSERT_EQ(straight.value[pixel], depth.depth[pixel]); }
+      if (!std::isnan(depth.depth[pixel])) {
+        ASSERT_EQ(straight.value[pixel], depth.depth[pixel]);
+      }
   }
 }
 

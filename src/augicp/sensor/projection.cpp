@@ -31,7 +31,8 @@ View view_of(const Rigid3& camera_from_points, const Pinhole& camera, int width,
 // Where a point is seen: its pixel, negative outside the image, and its depth.
 struct Projected {
   explicit Projected(std::size_t count)
-      : pixel(std::make_unique_for_overwrite<std::int32_t[]>(count)), depth(std::make_unique_for_overwrite<float[]>(count)) {}
+      : pixel(std::make_unique_for_overwrite<std::int32_t[]>(count)),
+        depth(std::make_unique_for_overwrite<float[]>(count)) {}
   std::unique_ptr<std::int32_t[]> pixel;
   std::unique_ptr<float[]> depth;
 };
@@ -70,8 +71,8 @@ IndexImage project(const Cloud& cloud, const Rigid3& camera_from_points, const P
     project_block(cloud.points[begin].data(), end - begin, view, &projected.pixel[begin], &projected.depth[begin]);
   };
   for_each_block(cloud.size(), num_threads, project_points, kLightBlockSize);
-  // The z-buffer, whose cells are the image: the nearest point, and among equals the first. On one thread: it takes less time
-  // than threads would need to exchange cells without losing a point.
+  // The z-buffer, whose cells are the image: the nearest point, and among equals the first. On one thread: it takes
+  // less time than threads would need to exchange cells without losing a point.
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (projected.pixel[i] < 0) continue;
     std::int32_t& nearest = seen.index[static_cast<std::size_t>(projected.pixel[i])];

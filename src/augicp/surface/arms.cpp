@@ -25,8 +25,8 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
   for (int k = 0; k < length; ++k) {
     const std::int32_t point = along_rows ? index.at(k, which) : index.at(which, k);
     if (point == IndexImage::kNone) continue;
-    if (!line.point.empty() &&
-        is_step(cloud.points[line.point.back()].z(), cloud.points[point].z(), k - line.position.back(), max_step_per_depth))
+    if (!line.point.empty() && is_step(cloud.points[line.point.back()].z(), cloud.points[point].z(),
+                                       k - line.position.back(), max_step_per_depth))
       ++run;
     line.position.push_back(k);
     line.point.push_back(point);

@@ -21,8 +21,8 @@ void check(const WindowOptions& options);
 // The radius of the ball around a point of a depth image at this depth, metres.
 double ball_radius(float depth, const WindowOptions& options);
 
-// Whether a depth discontinuity lies between two readings of a line, neighbours but for missing ones between them. Their
-// depths, metres.
+// Whether a depth discontinuity lies between two readings of a line, neighbours but for missing ones between them.
+// Their depths, metres.
 inline bool is_step(float a, float b, int pixels_between, double max_step_per_depth) {
   const double allowed = max_step_per_depth * std::min(a, b) * pixels_between;
   return std::abs(static_cast<double>(a) - static_cast<double>(b)) > allowed;

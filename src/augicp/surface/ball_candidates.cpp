@@ -6,8 +6,9 @@
 namespace augicp {
 namespace {
 
-AUGICP_VECTORIZED void measure_distances(const float* __restrict x, const float* __restrict y, const float* __restrict z,
-                                         std::size_t count, float px, float py, float pz, float* __restrict distance_sq) {
+AUGICP_VECTORIZED void measure_distances(const float* __restrict x, const float* __restrict y,
+                                         const float* __restrict z, std::size_t count, float px, float py, float pz,
+                                         float* __restrict distance_sq) {
   for (std::size_t k = 0; k < count; ++k) {
     const float dx = x[k] - px, dy = y[k] - py, dz = z[k] - pz;
     distance_sq[k] = dx * dx + dy * dy + dz * dz;
@@ -24,7 +25,8 @@ void BallCandidates::read(const Cloud& cloud) {
   }
 }
 
-std::size_t BallCandidates::append_in_ball(const Vec3f& centre, float radius_sq, std::vector<std::uint32_t>& neighbours) {
+std::size_t BallCandidates::append_in_ball(const Vec3f& centre, float radius_sq,
+                                           std::vector<std::uint32_t>& neighbours) {
   const std::size_t count = index_.size(), first = neighbours.size();
   measure_distances(x_.data(), y_.data(), z_.data(), count, centre.x(), centre.y(), centre.z(), distance_sq_.data());
   neighbours.resize(first + count);

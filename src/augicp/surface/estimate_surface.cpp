@@ -86,8 +86,8 @@ std::vector<Shape> shapes_of_points(const Cloud& cloud, const Neighbourhood& nei
   return shapes;
 }
 
-// An upper bound of the sum of the two smaller eigenvalues of a mean outer product, without finding them: they sum to 1,
-// and the largest is at least the sum of their squares.
+// An upper bound of the sum of the two smaller eigenvalues of a mean outer product, without finding them: they sum to
+// 1, and the largest is at least the sum of their squares.
 double largest_spread(const Mat3d& mean_outer_normal) { return 1.0 - mean_outer_normal.squaredNorm(); }
 
 // Second step. Zero for lines, where too few neighbours have a normal, and where normals agree too well for a crease.

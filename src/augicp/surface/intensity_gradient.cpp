@@ -16,13 +16,14 @@ namespace augicp {
 namespace {
 
 constexpr std::size_t kNumNeighbours = 20;  // the point itself among them
-constexpr std::size_t kMinNeighbours = 6;   // a slope and its height are three numbers; as many again tell how well it fits
-constexpr int kHalfWindow = 2;              // of images: 25 pixels, as many points
+constexpr std::size_t kMinNeighbours =
+    6;                          // a slope and its height are three numbers; as many again tell how well it fits
+constexpr int kHalfWindow = 2;  // of images: 25 pixels, as many points
 constexpr std::size_t kPointsPerBlock = 256, kRowsPerBlock = 8;
 
-// A slope counts where each of its two numbers explains so many times the variance of what is left. Even noise passes in about
-// one case in a thousand (the F distribution's percentile for 2 and 17 degrees of freedom); those that pass are the
-// steepest, so that few must.
+// A slope counts where each of its two numbers explains so many times the variance of what is left. Even noise passes
+// in about one case in a thousand (the F distribution's percentile for 2 and 17 degrees of freedom); those that pass
+// are the steepest, so that few must.
 constexpr double kMinSignificance = 10.7;
 
 // Points whose spread across is less than this part of that along lie on a line.
@@ -101,7 +102,8 @@ void find_in_window(const IndexImage& seen, int u, int v, std::vector<std::uint3
   near.clear();
   for (int row = std::max(0, v - kHalfWindow); row <= std::min(seen.height - 1, v + kHalfWindow); ++row)
     for (int column = std::max(0, u - kHalfWindow); column <= std::min(seen.width - 1, u + kHalfWindow); ++column)
-      if (const std::int32_t k = seen.at(column, row); k != IndexImage::kNone) near.push_back(static_cast<std::uint32_t>(k));
+      if (const std::int32_t k = seen.at(column, row); k != IndexImage::kNone)
+        near.push_back(static_cast<std::uint32_t>(k));
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ TEST(IntensityGradient, IsZeroWhereNothingIsKnown) {
   Cloud sparse = plane(Rigid3{}, ramp);
   estimate_intensity_gradients(sparse, 0.01, 1);  // hardly a neighbour
   EXPECT_GT(std::count_if(sparse.intensity_gradients.begin(), sparse.intensity_gradients.end(),
-                          [](const Vec3f& gradient) { return gradient.isZero(0.0f); }), 1900);
+                          [](const Vec3f& gradient) { return gradient.isZero(0.0f); }),
+            1900);
 
   Cloud edges = plane(Rigid3{}, ramp);
   edges.structures[0] = Structure::Edge;
@@ -85,7 +86,8 @@ TEST(IntensityGradient, NoiseIsHardlyEverTakenForTexture) {
   Cloud cloud = plane(Rigid3{}, [&](double, double) { return noise(generator); });
   estimate_intensity_gradients(cloud, kRadius, 1);
   EXPECT_LT(std::count_if(cloud.intensity_gradients.begin(), cloud.intensity_gradients.end(),
-                          [](const Vec3f& gradient) { return !gradient.isZero(0.0f); }), 15);  // of 2000
+                          [](const Vec3f& gradient) { return !gradient.isZero(0.0f); }),
+            15);  // of 2000
 }
 
 TEST(IntensityGradient, OrderOfThePointsAndNumberOfThreadsDoNotMatter) {

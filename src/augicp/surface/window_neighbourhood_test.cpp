@@ -157,10 +157,15 @@ TEST(WindowNeighbourhood, TheExactOneIsTheBallWhereNothingIsCutOff) {
   const OrganizedCloud wall = unproject({40, 30, std::vector<float>(40 * 30, 2.0f)}, {36.0, 36.0, 19.5, 14.5, 40, 30});
   const double radius = 0.3;
   const auto size = static_cast<Eigen::Index>(wall.cloud.size());
-  const Channels found = ExactWindowNeighbourhood(wall.cloud, wall.index, options_with(radius), 1).sum(Channels::Ones(1, size), 1);
+  const Channels found =
+      ExactWindowNeighbourhood(wall.cloud, wall.index, options_with(radius), 1).sum(Channels::Ones(1, size), 1);
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto is_near = [&](const Vec3f& point) { return static_cast<double>((point - wall.cloud.points[i]).norm()) <= radius; };
-    EXPECT_EQ(found(0, i), static_cast<double>(std::count_if(wall.cloud.points.begin(), wall.cloud.points.end(), is_near))) << i;
+    const auto is_near = [&](const Vec3f& point) {
+      return static_cast<double>((point - wall.cloud.points[i]).norm()) <= radius;
+    };
+    EXPECT_EQ(found(0, i),
+              static_cast<double>(std::count_if(wall.cloud.points.begin(), wall.cloud.points.end(), is_near)))
+        << i;
   }
 }
 

@@ -99,8 +99,8 @@ TEST(WindowSurface, EqualsThePlainWayAtBordersAndInSmallImages) {
   }
 }
 
-// Sums along rows are taken strip by strip of columns: where nothing is seen in some strips, or in some rows of a strip,
-// and in both beside what is seen.
+// Sums along rows are taken strip by strip of columns: where nothing is seen in some strips, or in some rows of a
+// strip, and in both beside what is seen.
 TEST(WindowSurface, EqualsThePlainWayAroundBlankPatches) {
   Rendering seen = render(box_on_table(), kinect_like_camera(240));
   add_depth_noise(seen.depth, kKinectSigmaAt1m, 2);

@@ -34,10 +34,14 @@ Vec3d turned(Generator& generator, double radius, double height) {
 Vec3d corridor_point(Generator& generator) {
   const double a = side(generator, 1.0), y = side(generator, 2.5);
   switch (generator() % 4) {
-    case 0: return {-1.0, y, a};
-    case 1: return {1.0, y, a};
-    case 2: return {a, y, -1.0};
-    default: return {a, y, 1.0};
+    case 0:
+      return {-1.0, y, a};
+    case 1:
+      return {1.0, y, a};
+    case 2:
+      return {a, y, -1.0};
+    default:
+      return {a, y, 1.0};
   }
 }
 
@@ -74,33 +78,33 @@ Vec3d bumpy_point(Generator& generator) {
   return flat + 0.5 * kNoise * std::sin(9.0 * flat.x()) * std::sin(7.0 * flat.y()) * kZ;
 }
 
-Vec3d planes_point(Generator& generator) {
-  return plane_point(generator) + (generator() % 2 == 0 ? 0.0 : 0.6) * kZ;
-}
+Vec3d planes_point(Generator& generator) { return plane_point(generator) + (generator() % 2 == 0 ? 0.0 : 0.6) * kZ; }
 
 }  // namespace
 
 std::vector<DegenerateFamily> degenerate_families() {
   const std::vector<Vec6d> of_plane{along(kX), along(kY), about(kZ)};
-  return {
-      {"plane", plane_point, of_plane, kNoise},
-      {"plane with faint bumps", bumpy_point, of_plane, kNoise},
-      {"two parallel planes", planes_point, of_plane, kNoise},
-      {"corridor", corridor_point, {along(kY)}, kNoise},
-      {"steps", step_point, {along(kY)}, kNoise},
-      {"cylinder", [](Generator& g) { return turned(g, 0.5, side(g, 1.0)); }, {along(kZ), about(kZ)}, kNoise},
-      {"sphere", [](Generator& g) { return Vec3d(0.7 * random_direction(g)); }, {about(kX), about(kY), about(kZ)}, kNoise},
-      {"cone",
-       [](Generator& g) {
-         const double radius = std::sqrt(uniform(g, 0.04, 1.0));
-         return turned(g, radius, -radius);
-       },
-       {about(kZ)},
-       kNoise},
-      {"vase", vase_point, {about(kZ)}, kNoise},
-      {"wire", [](Generator& g) { return Vec3d(0.0, side(g, 1.5), 0.0); }, {along(kY), about(kY)}, kNoise},
-      {"trough", trough_point, {along(kY)}, kNoise},
-      {"spiral ramp", ramp_point, {screw(kZ, kRampPitch)}, kNoise}};
+  return {{"plane", plane_point, of_plane, kNoise},
+          {"plane with faint bumps", bumpy_point, of_plane, kNoise},
+          {"two parallel planes", planes_point, of_plane, kNoise},
+          {"corridor", corridor_point, {along(kY)}, kNoise},
+          {"steps", step_point, {along(kY)}, kNoise},
+          {"cylinder", [](Generator& g) { return turned(g, 0.5, side(g, 1.0)); }, {along(kZ), about(kZ)}, kNoise},
+          {"sphere",
+           [](Generator& g) { return Vec3d(0.7 * random_direction(g)); },
+           {about(kX), about(kY), about(kZ)},
+           kNoise},
+          {"cone",
+           [](Generator& g) {
+             const double radius = std::sqrt(uniform(g, 0.04, 1.0));
+             return turned(g, radius, -radius);
+           },
+           {about(kZ)},
+           kNoise},
+          {"vase", vase_point, {about(kZ)}, kNoise},
+          {"wire", [](Generator& g) { return Vec3d(0.0, side(g, 1.5), 0.0); }, {along(kY), about(kY)}, kNoise},
+          {"trough", trough_point, {along(kY)}, kNoise},
+          {"spiral ramp", ramp_point, {screw(kZ, kRampPitch)}, kNoise}};
 }
 
 Cloud draw(const DegenerateFamily& family, std::size_t count, double noise, std::mt19937& generator) {
@@ -123,7 +127,8 @@ Vec6d in_metres(const Vec6d& motion, double gyration, const Vec3d& centroid) {
 }
 
 // What is left of a motion, given so, without its part in the family's space.
-Vec6d without_free(const DegenerateFamily& family, const Vec6d& motion_in_metres, double gyration, const Vec3d& centroid) {
+Vec6d without_free(const DegenerateFamily& family, const Vec6d& motion_in_metres, double gyration,
+                   const Vec3d& centroid) {
   Eigen::MatrixXd basis(6, static_cast<Eigen::Index>(family.free_motions.size()));
   for (Eigen::Index k = 0; k < basis.cols(); ++k)
     basis.col(k) = in_metres(family.free_motions[static_cast<std::size_t>(k)], gyration, centroid);
@@ -134,7 +139,8 @@ Vec6d without_free(const DegenerateFamily& family, const Vec6d& motion_in_metres
 
 }  // namespace
 
-double angle_to_free(const DegenerateFamily& family, const std::vector<Vec6d>& found, double gyration, const Vec3d& centroid) {
+double angle_to_free(const DegenerateFamily& family, const std::vector<Vec6d>& found, double gyration,
+                     const Vec3d& centroid) {
   double largest = 0.0;
   for (const Vec6d& motion : found) {
     const Vec6d unit = in_metres(motion, gyration, centroid).normalized();

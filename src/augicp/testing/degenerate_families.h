@@ -27,7 +27,8 @@ Cloud draw(const DegenerateFamily& family, std::size_t count, double noise, std:
 
 // The largest angle between a free motion found and the space of those there are, in radians, with turns scaled by the
 // gyration (metres) about the centroid: 0 where all found are free.
-double angle_to_free(const DegenerateFamily& family, const std::vector<Vec6d>& found, double gyration, const Vec3d& centroid);
+double angle_to_free(const DegenerateFamily& family, const std::vector<Vec6d>& found, double gyration,
+                     const Vec3d& centroid);
 
 // The length of what is left of a motion without its part along the free ones, metres, turns scaled likewise.
 double held_part(const DegenerateFamily& family, const Vec6d& motion, double gyration, const Vec3d& centroid);

@@ -17,7 +17,8 @@ MATCHER_P3(NearPose, expected, angle_rad, distance_m, "") {
 
 MATCHER_P2(NearVector, expected, tolerance, "") {
   const double distance = (arg - expected).norm();
-  *result_listener << "which is [" << arg.transpose() << "], " << distance << " away from [" << expected.transpose() << "]";
+  *result_listener << "which is [" << arg.transpose() << "], " << distance << " away from [" << expected.transpose()
+                   << "]";
   return distance <= tolerance;
 }
 

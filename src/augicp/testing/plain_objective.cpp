@@ -50,8 +50,8 @@ double plain_cost(const Cloud& source, const Cloud& target, std::span<const Corr
   for (const Correspondence& pair : pairs) {
     const PlainPair plain = plain_pair(source, target, pair, target_from_source, objective.information);
     const Vec3d of_position = plain.error.head<3>(), of_direction = plain.error.tail<3>();
-    const double direction_loss = plain_loss(of_direction.dot(plain.information.bottomRightCorner<3, 3>() * of_direction),
-                                             objective.kernel_direction_chi2);
+    const double direction_loss = plain_loss(
+        of_direction.dot(plain.information.bottomRightCorner<3, 3>() * of_direction), objective.kernel_direction_chi2);
     cost += 0.5 * plain_loss(of_position.dot(plain.information.topLeftCorner<3, 3>() * of_position) + direction_loss,
                              objective.kernel_chi2);
   }

@@ -60,7 +60,8 @@ TEST(Rendering, ARowIsThatOfTheImage) {
   const DepthImage image = render(scene, camera).depth;
   for (int v = 0; v < image.height; ++v)
     EXPECT_THAT(render_row(scene, camera, v, scene.world_from_camera),
-                ::testing::Pointwise(::testing::NanSensitiveFloatEq(), std::span(image.depth).subspan(v * image.width, image.width)));
+                ::testing::Pointwise(::testing::NanSensitiveFloatEq(),
+                                     std::span(image.depth).subspan(v * image.width, image.width)));
 }
 
 TEST(Rendering, ClosedRoomLeavesNoPixelEmpty) {

@@ -77,7 +77,8 @@ Scene room(unsigned seed, const Vec3d& size) {
     add_column(scene, shape, walls.bottom, walls.top);
   }
   // Above everything that stands in the left cells.
-  const Vec3d pipe_begin(0.3 - 0.5 * size.x(), -0.5 * size.y(), size.z() - 0.3), pipe_end(pipe_begin.x(), -pipe_begin.y(), pipe_begin.z());
+  const Vec3d pipe_begin(0.3 - 0.5 * size.x(), -0.5 * size.y(), size.z() - 0.3),
+      pipe_end(pipe_begin.x(), -pipe_begin.y(), pipe_begin.z());
   add_column(scene, {pipe_begin, pipe_end, 0.06}, walls.front, walls.back);
   scene.world_from_camera = look_at(cell_center(size, 3, 0) + Vec3d(0.2, -0.2, 1.5), Vec3d(-0.9, 0.3, 0.8));
   return scene;

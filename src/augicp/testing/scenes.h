@@ -13,8 +13,8 @@ Scene box_on_table();
 // A floor and two walls.
 Scene room_corner();
 
-// A closed room with boxes, two columns, a pipe and a table; their sizes and places drawn from the seed. At least 4.4 x 3 x
-// 2.4 m, or the furniture would touch.
+// A closed room with boxes, two columns, a pipe and a table; their sizes and places drawn from the seed. At least 4.4 x
+// 3 x 2.4 m, or the furniture would touch.
 Scene room(unsigned seed = 1, const Vec3d& size = {5.0, 4.0, 2.6});
 
 // Two wires with a radius of 5 mm, 1 m in front of the camera: an upright one 1 m before a wall, and a slanting one
