@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "augicp/registration/scan.h"
+#include "augicp/sensor/scan.h"
 
 namespace augicp::python {
 

@@ -51,11 +51,11 @@ def includes(text):
 def module_faults(root, modules, name, words):
     folder = root / "src/augicp" / name
     allowed, module = reachable(modules, name), modules[name]
-    for path in sorted(folder.glob("*.[hc]*")):
-        where = path.relative_to(root)
-        if path.name not in words:
+    for path in sorted(path for suffix in ("h", "cpp") for path in folder.rglob(f"*.{suffix}")):
+        where, word = path.relative_to(root), path.relative_to(folder).as_posix()
+        if word not in words:
             yield f"{where}: is not named in src/augicp/CMakeLists.txt"
-        if path.name in module["TESTS"]:
+        if word in module["TESTS"]:
             continue  # a test may use all of the library, and the testing module
         for quote, included in includes(path.read_text()):
             other = re.match(r"augicp/(\w+)/", included)
@@ -63,7 +63,7 @@ def module_faults(root, modules, name, words):
                 yield f"{where}: includes {included}, but {name} does not depend on {other[1]}"
             elif quote == '"' and not other and "/" not in included:
                 yield f'{where}: include "{included}" by its full path, augicp/...'
-            elif path.name in module["HEADERS"] and not other and re.search(r"[/.]", included):
+            elif word in module["HEADERS"] and not other and re.search(r"[/.]", included):
                 if not included.startswith("Eigen/"):
                     yield f"{where}: a public header includes {included}; only Eigen may be seen by users"
 

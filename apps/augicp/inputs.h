@@ -9,7 +9,7 @@
 
 #include "augicp/io/cloud_file.h"
 #include "augicp/io/depth_sequence.h"
-#include "augicp/registration/scan.h"
+#include "augicp/sensor/scan.h"
 
 namespace augicp::app {
 

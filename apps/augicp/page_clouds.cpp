@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "apps/augicp/page_parts.h"
-#include "augicp/registration/level.h"
+#include "augicp/registration/scan_match.h"
 #include "augicp/report/packing.h"
 #include "augicp/report/thinning.h"
 
@@ -41,7 +41,7 @@ std::vector<Vec3f> partners_of(const AlignPicture& picture, const Vec3f& centre)
   const Rigid3& pose = picture.report.result.target_from_source;
   if (picture.source.cloud.empty() || picture.target.cloud.empty() || !pose.matrix().allFinite()) return partners;
   if (!has_pose(picture.report.result.status)) return partners;
-  const Level level(picture.source, picture.target, picture.report.lengths, picture.report.options);
+  const ScanMatch level(picture.source, picture.target, picture.report.lengths, picture.report.options);
   for (const Correspondence& pair : level.pairs(pose))
     partners[pair.source] = picture.target.cloud.points[pair.target] - centre;
   return partners;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <utility>
 
-#include "augicp/align/covariance.h"
 #include "augicp/align/damped_step.h"
-#include "augicp/align/median.h"
 #include "augicp/align/weighing.h"
+#include "augicp/core/median.h"
 #include "augicp/core/parallel.h"
 #include "augicp/core/stop.h"
+#include "augicp/trust/covariance.h"
 
 namespace augicp {
 namespace {

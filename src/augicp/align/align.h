@@ -6,10 +6,10 @@
 #include <stop_token>
 #include <vector>
 
-#include "augicp/align/free_motions.h"
-#include "augicp/align/observability.h"
-#include "augicp/align/verdict.h"
 #include "augicp/match/matcher.h"
+#include "augicp/trust/free_motions.h"
+#include "augicp/trust/observability.h"
+#include "augicp/trust/verdict.h"
 
 namespace augicp {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "augicp/align/observability.h"
 #include "augicp/objective/linearize.h"
+#include "augicp/trust/observability.h"
 
 namespace augicp {
 

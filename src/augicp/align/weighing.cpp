@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "augicp/align/median.h"
+#include "augicp/core/median.h"
 
 namespace augicp {
 namespace {

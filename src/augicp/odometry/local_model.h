@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "augicp/registration/scan.h"
+#include "augicp/sensor/scan.h"
 
 namespace augicp {
 

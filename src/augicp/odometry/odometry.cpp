@@ -7,7 +7,7 @@
 
 #include "augicp/core/check.h"
 #include "augicp/core/stop.h"
-#include "augicp/registration/rolling_shutter.h"
+#include "augicp/shutter/rolling_shutter.h"
 
 namespace augicp {
 namespace {

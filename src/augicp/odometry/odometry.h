@@ -36,7 +36,7 @@ struct OdometryOptions {
   double min_overlap = 0.35;
   double keyframe_overlap = 0.7;
 
-  // A frame is doubtful above this strain, see align/verdict.h. 1 is what a pair of images must keep to, whose pose may
+  // A frame is doubtful above this strain, see trust/verdict.h. 1 is what a pair of images must keep to, whose pose may
   // be anywhere; a camera that is followed is where it is expected. Of the frames of fr1/desk, which are all tracked
   // well, one reaches 2.2.
   double max_strain = 3.0;
@@ -80,7 +80,7 @@ struct FrameReport {
   std::int64_t num_pairs = 0;
   double overlap = 0.0;
   double rmse = 0.0;    // metres
-  double strain = 0.0;  // of the evidence for the pose, see align/verdict.h
+  double strain = 0.0;  // of the evidence for the pose, see trust/verdict.h
 
   std::string problem;  // in words, where the status is NoReadings or Unreadable
 };

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "augicp/registration/judge.h"
-#include "augicp/registration/levels.h"
-#include "augicp/registration/readout_motion.h"
-#include "augicp/registration/rolling_shutter.h"
-#include "augicp/registration/search.h"
+#include "augicp/registration/start/start_search.h"
+#include "augicp/registration/thin_scan.h"
+#include "augicp/shutter/readout_motion.h"
+#include "augicp/shutter/rolling_shutter.h"
 
 namespace augicp {
 namespace {
@@ -27,7 +27,7 @@ struct Start {
 // open: what no data hold is held at the guess, which only the last loop can do, so that no step before it may move it.
 bool align_thinned(const Scan& source, const Scan& target, const Lengths& lengths, const RegistrationOptions& options,
                    Rigid3& target_from_source, std::vector<Correspondence>& pairs) {
-  const Level level(source, target, lengths, options);
+  const ScanMatch level(source, target, lengths, options);
   const AlignResult result = level.align(target_from_source, level.usual_options());
   if (!has_pose(result.status) || result.status == AlignStatus::Degenerate) return false;
   target_from_source = result.target_from_source;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/covariance.h"
+#include "augicp/trust/covariance.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "augicp/align/beyond_planes.h"
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/trust/beyond_planes.h"
 
 namespace augicp {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From two scans and a pose to the numbers that align/verdict.h decides by.
+// From two scans and a pose to the numbers that trust/verdict.h decides by.
 #pragma once
 
 #include <memory>

@@ -8,7 +8,7 @@
 #include "augicp/core/parallel.h"
 #include "augicp/core/stop.h"
 #include "augicp/registration/coarse_to_fine.h"
-#include "augicp/registration/level.h"
+#include "augicp/registration/scan_match.h"
 #include "augicp/surface/ball_neighbourhood.h"
 #include "augicp/surface/intensity_gradient.h"
 #include "augicp/surface/window_surface.h"

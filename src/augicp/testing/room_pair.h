@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "augicp/registration/scan.h"
+#include "augicp/sensor/scan.h"
 #include "augicp/testing/rendering.h"
 
 namespace augicp::testing {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "augicp/cloud/correspondence.h"
-#include "augicp/registration/scan.h"
+#include "augicp/sensor/scan.h"
 
 namespace augicp {
 

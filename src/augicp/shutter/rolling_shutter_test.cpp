@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/rolling_shutter.h"
+#include "augicp/shutter/rolling_shutter.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/search.h"
+#include "augicp/registration/start/start_search.h"
 
 #include <gmock/gmock.h>
 

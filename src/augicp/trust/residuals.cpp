@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/residuals.h"
+#include "augicp/trust/residuals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "augicp/align/median.h"
+#include "augicp/core/median.h"
 
 namespace augicp {
 namespace {

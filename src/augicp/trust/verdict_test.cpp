@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/verdict.h"
+#include "augicp/trust/verdict.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "augicp/align/free_motions.h"
+#include "augicp/trust/free_motions.h"
 
 namespace augicp {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/level.h"
+#include "augicp/registration/scan_match.h"
 
 #include <stdexcept>
 
-#include "augicp/registration/hypotheses.h"
 #include "augicp/registration/judge.h"
+#include "augicp/registration/start/hypotheses.h"
 
 namespace augicp {
 namespace {
@@ -27,7 +27,7 @@ bool is_projective(const Scan& target, Association association) {
   return target.view && association != Association::Nearest;
 }
 
-Level::Level(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options)
+ScanMatch::ScanMatch(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options)
     : source_(std::move(source)),
       target_(std::move(target)),
       lengths_(lengths),
@@ -35,18 +35,18 @@ Level::Level(Scan source, Scan target, const Lengths& lengths, const Registratio
       in_target_(matcher_for(target_, is_projective(target_, options.association))),
       in_source_(matcher_for(source_, source_.view && options.association != Association::Nearest)) {}
 
-AlignOptions Level::usual_options() const {
+AlignOptions ScanMatch::usual_options() const {
   AlignOptions options = align_options(lengths_, is_projective(target_, options_.association), options_);
   options.correlation_length = 0.0;  // nobody asks how sure a start is
   options.intensity_weight = 0.0;
   return options;
 }
 
-AlignResult Level::align(const Rigid3& guess, const AlignOptions& options) const {
+AlignResult ScanMatch::align(const Rigid3& guess, const AlignOptions& options) const {
   return augicp::align(source_.cloud, *in_target_, guess, options);
 }
 
-double Level::plausibility(const Rigid3& target_from_source, int num_threads) const {
+double ScanMatch::plausibility(const Rigid3& target_from_source, int num_threads) const {
   const Rigid3 pose = without_origins(target_from_source, source_.cloud, target_.cloud);
   Agreement agreement =
       in_target_->agreement(source_.cloud, pose, tolerance_for(target_, lengths_, options_.association), num_threads);
@@ -55,7 +55,7 @@ double Level::plausibility(const Rigid3& target_from_source, int num_threads) co
   return augicp::plausibility(agreement);
 }
 
-std::vector<Correspondence> Level::pairs(const Rigid3& target_from_source) const {
+std::vector<Correspondence> ScanMatch::pairs(const Rigid3& target_from_source) const {
   return in_target_->match(source_.cloud, without_origins(target_from_source, source_.cloud, target_.cloud),
                            usual_options().gates, options_.num_threads);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/beyond_planes.h"
+#include "augicp/trust/beyond_planes.h"
 
 #include <gtest/gtest.h>
 

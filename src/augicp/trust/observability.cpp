@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/observability.h"
+#include "augicp/trust/observability.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/levels.h"
+#include "augicp/registration/thin_scan.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/free_motions.h"
+#include "augicp/trust/free_motions.h"
 
 #include <Eigen/SVD>
 #include <algorithm>

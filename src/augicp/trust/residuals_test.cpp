@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/residuals.h"
+#include "augicp/trust/residuals.h"
 
 #include <gtest/gtest.h>
 

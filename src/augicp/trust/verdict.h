@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "augicp/align/residuals.h"
-#include "augicp/align/status.h"
 #include "augicp/match/agreement.h"
+#include "augicp/trust/residuals.h"
+#include "augicp/trust/status.h"
 
 namespace augicp {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/search.h"
+#include "augicp/registration/start/start_search.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,8 +8,8 @@
 #include <span>
 
 #include "augicp/core/parallel.h"
-#include "augicp/registration/hypotheses.h"
-#include "augicp/registration/levels.h"
+#include "augicp/registration/start/hypotheses.h"
+#include "augicp/registration/thin_scan.h"
 
 namespace augicp {
 namespace {
@@ -39,13 +39,13 @@ constexpr int kImageIterations = 10, kCloudIterations = 20, kMiddleIterations = 
 constexpr double kWideGate = 4.0;
 constexpr double kWideEpsilon = 0.3;
 
-AlignOptions image_options(const Level& level) {
+AlignOptions image_options(const ScanMatch& level) {
   AlignOptions coarse = level.usual_options();
   coarse.max_iterations = kImageIterations;
   return coarse;
 }
 
-AlignOptions cloud_options(const Level& level, const RegistrationOptions& options) {
+AlignOptions cloud_options(const ScanMatch& level, const RegistrationOptions& options) {
   AlignOptions coarse = level.usual_options();
   coarse.max_iterations = kCloudIterations;
   coarse.information = information_for(options, kWideEpsilon);
@@ -66,7 +66,7 @@ AlignOptions on_one_thread(AlignOptions options) {
   return options;
 }
 
-std::optional<Hypothesis> led_on(const Level& level, const Rigid3& start, const AlignOptions& options) {
+std::optional<Hypothesis> led_on(const ScanMatch& level, const Rigid3& start, const AlignOptions& options) {
   const AlignResult result = level.align(start, options);
   if (!has_pose(result.status)) return std::nullopt;
   return Hypothesis{result.target_from_source, level.plausibility(result.target_from_source, options.num_threads),
@@ -74,7 +74,7 @@ std::optional<Hypothesis> led_on(const Level& level, const Rigid3& start, const 
 }
 
 // Side by side, each on one thread: a start on few points gives threads nothing to share.
-std::vector<Hypothesis> led_on(const Level& level, std::span<const Rigid3> starts, const AlignOptions& options) {
+std::vector<Hypothesis> led_on(const ScanMatch& level, std::span<const Rigid3> starts, const AlignOptions& options) {
   std::vector<std::optional<Hypothesis>> of_start(starts.size());
   const AlignOptions alone = on_one_thread(options);
   const auto follow = [&](std::size_t k, std::size_t) { of_start[k] = led_on(level, starts[k], alone); };
@@ -91,7 +91,7 @@ bool is_convincing(const std::vector<Hypothesis>& hypotheses) {
 }
 
 // The first start is the guess: where it convinces the others are not tried.
-std::vector<Hypothesis> led_on_from_guess(const Level& level, std::span<const Rigid3> starts,
+std::vector<Hypothesis> led_on_from_guess(const ScanMatch& level, std::span<const Rigid3> starts,
                                           const AlignOptions& options) {
   std::vector<Hypothesis> found = led_on(level, starts.first(1), options);
   if (is_convincing(found)) return found;
@@ -102,17 +102,17 @@ std::vector<Hypothesis> led_on_from_guess(const Level& level, std::span<const Ri
 
 // Where lines of sight lead nowhere, nearest points may: they pull two images together from half a metre, though not
 // always to where they belong. So they only propose starts.
-std::vector<Rigid3> pulled_together(const Level& coarse, std::vector<Rigid3> starts, const Lengths& lengths,
+std::vector<Rigid3> pulled_together(const ScanMatch& coarse, std::vector<Rigid3> starts, const Lengths& lengths,
                                     RegistrationOptions options) {
   options.association = Association::Nearest;
-  const Level nearest(scan_of(coarse.source().cloud), scan_of(coarse.target().cloud), lengths, options);
+  const ScanMatch nearest(scan_of(coarse.source().cloud), scan_of(coarse.target().cloud), lengths, options);
   const AlignOptions by = on_one_thread(cloud_options(nearest, options));
   const auto pull = [&](std::size_t k, std::size_t) { starts[k] = nearest.align(starts[k], by).target_from_source; };
   for_each_block(starts.size(), options.num_threads, pull, 1);
   return starts;
 }
 
-std::vector<Hypothesis> coarse_hypotheses(const Level& coarse, const Rigid3& guess, const Lengths& lengths,
+std::vector<Hypothesis> coarse_hypotheses(const ScanMatch& coarse, const Rigid3& guess, const Lengths& lengths,
                                           const RegistrationOptions& options) {
   const bool has_images = coarse.source().view && coarse.target().view;
   const bool projective = is_projective(coarse.target(), options.association);
@@ -131,14 +131,14 @@ std::vector<Hypothesis> coarse_hypotheses(const Level& coarse, const Rigid3& gue
 
 Rigid3 search_start(const Scan& source, const Scan& target, const Rigid3& guess_target_from_source,
                     const Lengths& lengths, const RegistrationOptions& options) {
-  const Level coarse(coarser(source, kCoarseColumns, kCoarseVoxels, lengths),
-                     coarser(target, kCoarseColumns, kCoarseVoxels, lengths), lengths, options);
+  const ScanMatch coarse(coarser(source, kCoarseColumns, kCoarseVoxels, lengths),
+                         coarser(target, kCoarseColumns, kCoarseVoxels, lengths), lengths, options);
   const std::vector<Hypothesis> candidates =
       best_of(coarse_hypotheses(coarse, guess_target_from_source, lengths, options), kMaxCandidates, lengths.radius,
               kSameAngle);
   if (candidates.empty()) return guess_target_from_source;
-  const Level middle(coarser(source, kMiddleColumns, kMiddleVoxels, lengths),
-                     coarser(target, kMiddleColumns, kMiddleVoxels, lengths), lengths, options);
+  const ScanMatch middle(coarser(source, kMiddleColumns, kMiddleVoxels, lengths),
+                         coarser(target, kMiddleColumns, kMiddleVoxels, lengths), lengths, options);
   AlignOptions by = middle.usual_options();
   by.max_iterations = kMiddleIterations;
   std::vector<Rigid3> starts;

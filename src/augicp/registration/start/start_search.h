@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "augicp/registration/level.h"
+#include "augicp/registration/scan_match.h"
 
 namespace augicp {
 

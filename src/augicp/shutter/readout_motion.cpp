@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/readout_motion.h"
+#include "augicp/shutter/readout_motion.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "augicp/align/median.h"
+#include "augicp/core/median.h"
 #include "augicp/geometry/rotation.h"
 
 namespace augicp {

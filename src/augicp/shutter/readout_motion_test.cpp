@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/readout_motion.h"
+#include "augicp/shutter/readout_motion.h"
 
 #include <gmock/gmock.h>
 
 #include "augicp/geometry/rotation.h"
 #include "augicp/registration/registration.h"
-#include "augicp/registration/rolling_shutter.h"
+#include "augicp/shutter/rolling_shutter.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/rolling_camera.h"
 #include "augicp/testing/scenes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/status.h"
+#include "augicp/trust/status.h"
 
 #include <array>
 

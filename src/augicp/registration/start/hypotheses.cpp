@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/hypotheses.h"
+#include "augicp/registration/start/hypotheses.h"
 
 #include <algorithm>
 #include <array>

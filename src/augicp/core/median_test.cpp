@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/median.h"
+#include "augicp/core/median.h"
 
 #include <gtest/gtest.h>
 

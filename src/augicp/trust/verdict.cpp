@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/align/verdict.h"
+#include "augicp/trust/verdict.h"
 
 #include <algorithm>
 #include <array>

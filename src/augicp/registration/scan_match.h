@@ -11,11 +11,11 @@ namespace augicp {
 bool is_projective(const Scan& target, Association association);
 
 // Two prepared scans and how pairs are found in them, both ways. Poses are between the clouds' frames.
-class Level {
+class ScanMatch {
  public:
-  Level(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options);
-  Level(const Level&) = delete;
-  Level& operator=(const Level&) = delete;
+  ScanMatch(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options);
+  ScanMatch(const ScanMatch&) = delete;
+  ScanMatch& operator=(const ScanMatch&) = delete;
 
   const Scan& source() const { return source_; }
   const Scan& target() const { return target_; }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "augicp/align/observability.h"
+#include "augicp/trust/observability.h"
 
 namespace augicp {
 
