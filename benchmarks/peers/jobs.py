@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "experiments/results"))  # motions, scans, ply: read truth here as for docs/results.md
+sys.path.insert(0, str(ROOT / "experiments/results"))  # motions, scans, ply: read truth here as for docs/lab/results.md
 from motions import from_quaternion, quaternion
 
 JOB_FIELDS = ("pair", "source", "target", "scene", "camera", "depth_scale", "guess")

@@ -8,7 +8,7 @@ from motions import Trajectory, read_rows
 WINDOWS = ("fr1_desk_a", "fr1_xyz_a", "fr1_rpy_a")
 CAMERA, DEPTH_SCALE = "tum-fr1", 5000
 
-# The depth images of TUM fr1 lag the motion-capture clock (docs/results.md): this is when the truth is read.
+# The depth images of TUM fr1 lag the motion-capture clock (docs/lab/results.md): this is when the truth is read.
 LAG_S = -0.022
 
 

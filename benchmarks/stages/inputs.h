@@ -46,7 +46,7 @@ Cloud cloud_of(std::size_t count);
 // Stages that take a number of threads are measured twice: in processor time on one, which does not mind what else the
 // machine does, and in wall time on two. Items a second, and how near the stage is to what the machine allows: 1 would
 // be as fast as memory and arithmetic can be. Bytes are those that must be read and written once, operations those of
-// the formulas; see docs/performance.md.
+// the formulas; see docs/lab/performance.md.
 struct Work {
   double items = 0.0;
   double bytes = 0.0;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What brightness brings beside positions and directions: the tables of "Intensity" in docs/convergence.md.
+"""What brightness brings beside positions and directions: the tables of "Intensity" in docs/lab/convergence.md.
 
     experiments/convergence/intensity.py --data FOLDER [--starts 20] [--only images|lidar]
 
@@ -17,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-CLOCK_OFFSET_S = -0.022  # of the depth images on fr1, see docs/results.md
+CLOCK_OFFSET_S = -0.022  # of the depth images on fr1, see docs/lab/results.md
 GAPS = (1, 10)
 CHANNELS = {"without": (), "with": ("--intensity",)}
 LOOPS = {"default": (), "iterations alone": ("--no-search", "--no-coarse-to-fine", "--no-rolling-shutter")}

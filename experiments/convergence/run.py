@@ -31,7 +31,7 @@ VARIANTS = {
     "paper preset": ("--presets", "paper"),
 }
 ITERATIONS = 20
-CLOCK_OFFSET_S = "-0.022"  # of the depth images on fr1, see docs/results.md
+CLOCK_OFFSET_S = "-0.022"  # of the depth images on fr1, see docs/lab/results.md
 
 
 def rows(augicp, sequence, arguments, words):

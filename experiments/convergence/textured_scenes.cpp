@@ -3,7 +3,7 @@
 // without intensity, and how far it is from the truth. A Kinect's depth noise, brightness from 0 to 1 with a noise of
 // 0.01, another exposure in the source, 3 cm and 1.7 degrees between the images.
 //
-//   textured_scenes [NUM_PAIRS]    prints the table of docs/convergence.md
+//   textured_scenes [NUM_PAIRS]    prints the table of docs/lab/convergence.md
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

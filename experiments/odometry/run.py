@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Measures augicp odometry on TUM sequences, as it is and with one part of it left out at a time (docs/results.md).
+"""Measures augicp odometry on TUM sequences, as it is and with one part of it left out at a time (docs/lab/results.md).
 
     experiments/odometry/run.py --data FOLDER [--augicp build/release/apps/augicp/augicp] [--output OUTPUT]
 
@@ -25,7 +25,7 @@ VARIANTS = {
     "no lens either": ("--camera", PINHOLE_ONLY),
     "and to the previous frame": ("--camera", PINHOLE_ONLY, "--reference", "previous"),
 }
-CLOCK_OFFSET_S = "-0.022"  # of the depth images on fr1, see docs/results.md
+CLOCK_OFFSET_S = "-0.022"  # of the depth images on fr1, see docs/lab/results.md
 
 
 def run(*words):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Measures augicp's registration figures on real data and prints them as Markdown (docs/results.md).
+"""Measures augicp's registration figures on real data and prints them as Markdown (docs/lab/results.md).
 
     experiments/results/run.py --data FOLDER [--augicp build/release/apps/augicp/augicp] [--pairs 50] [--output FILE]
 

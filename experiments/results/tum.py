@@ -7,7 +7,7 @@ import numpy as np
 from motions import Trajectory, error, read_rows
 
 ITERATIONS = 10
-# The depth images of TUM fr1 lag behind the motion-capture clock; see docs/results.md.
+# The depth images of TUM fr1 lag behind the motion-capture clock; see docs/lab/results.md.
 OFFSETS_S = (-0.022, 0.0)
 ITERATIONS_ALONE = ("--no-search", "--no-coarse-to-fine", "--no-rolling-shutter")
 METHODS = {

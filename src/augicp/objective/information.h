@@ -43,7 +43,7 @@ InformationModel augmented_information(double epsilon = kTable2Epsilon);  // Tab
 
 // The default: Table 2, but an edge's position counts no more than that of a point without structure. Table 2 lets it
 // count fully across its tangent, which is right for a point on the crease itself; those within a ball of it, which the
-// classifier cannot tell from it, would then pull along their surface as in plain ICP (docs/results.md has the
+// classifier cannot tell from it, would then pull along their surface as in plain ICP (docs/lab/results.md has the
 // figures).
 InformationModel default_information(double epsilon = kTable2Epsilon);
 

@@ -41,7 +41,7 @@ struct Evidence {
   double moved = 0.0;          // what the pose moved the source from the guess (RMS), by its radius of gyration
 };
 
-// What a trusted pose must keep to. docs/verdict.md has the measurements behind each number.
+// What a trusted pose must keep to. docs/lab/verdict.md has the measurements behind each number.
 struct VerdictLimits {
   // The share that should have been visible, less the share of that which does not agree: the less two clouds have in
   // common, the better it must fit, or any corner of a room fits any other. Right poses of clouds that overlap by 30 %
