@@ -57,7 +57,7 @@ Turn turn_of(const Mat3d& covariance) {
   return {Eigen::Quaterniond(rotation).normalized(), d.dot(signs), unique};
 }
 
-// Eq. (41).
+// Umeyama 1991, equation 41.
 RigidFit fit_of(const Moments& moments, const Turn& turn, double scale) {
   const Vec3d translation = moments.target_mean - turn.rotation * (scale * moments.source_mean);
   return {{scale, {turn.rotation, translation}}, turn.unique};
@@ -82,7 +82,7 @@ RigidFit fit_similarity(std::span<const Vec3d> source, std::span<const Vec3d> ta
   const Moments moments = moments_of(source, target);
   const Turn turn = turn_of(moments.covariance);
   const bool has_extent = moments.source_variance > 0.0;
-  return fit_of(moments, turn, has_extent ? turn.trace / moments.source_variance : 1.0);  // Eq. (42)
+  return fit_of(moments, turn, has_extent ? turn.trace / moments.source_variance : 1.0);  // equation 42
 }
 
 }  // namespace augicp
