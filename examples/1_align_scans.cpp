@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   }
   const augicp::Scan source = augicp::scan_of(augicp::read_cloud(argv[1]).cloud);
   const augicp::Scan target = augicp::scan_of(augicp::read_cloud(argv[2]).cloud);
-  const augicp::AlignResult result = augicp::register_scans(source, target);
+  const augicp::AlignResult result = augicp::register_scans(source, target).result;
   std::cout << augicp::name_of(result.status) << " after " << result.iterations << " iterations\n"
             << result.target_from_source.matrix() << "\n";
   return result.status == augicp::AlignStatus::Converged ? 0 : 1;

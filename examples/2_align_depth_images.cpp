@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   for (const augicp::Method method : {augicp::Method::Augmented, augicp::Method::Gicp}) {
     augicp::RegistrationOptions options;
     options.method = method;
-    const augicp::AlignResult result = augicp::register_scans(source, target, augicp::Rigid3{}, options);
+    const augicp::AlignResult result = augicp::register_scans(source, target, augicp::Rigid3{}, options).result;
     std::cout << augicp::name_of(result.status) << " after " << result.iterations << " iterations, "
               << result.target_from_source.translation.norm() << " m moved\n";
   }

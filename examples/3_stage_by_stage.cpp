@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   augicp::Rigid3 target_from_source;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const auto pairs = matcher.match(source, target_from_source, gates, kNumThreads);
-    const auto equations = augicp::linearize(source, target, pairs, target_from_source, objective, kNumThreads);
+    const auto equations = augicp::linearize({source, target, pairs, target_from_source}, objective, kNumThreads);
     const augicp::Vec6d step = augicp::damped_step(equations, /*damping=*/1e-6);
     target_from_source = augicp::retract(target_from_source, step);
     gates.max_distance = std::max(0.1, 0.9 * gates.max_distance);  // closes as the clouds meet

@@ -76,7 +76,7 @@ void expect_sound(const AlignResult& result) {
 void expect_same_with_threads(const Scan& source, const Scan& target, const Rigid3& guess, RegistrationOptions options,
                               const AlignResult& expected) {
   options.num_threads = 3;
-  const AlignResult result = register_scans(source, target, guess, options);
+  const AlignResult result = register_scans(source, target, guess, options).result;
   expect(result.status == expected.status && result.target_from_source.matrix() == expected.target_from_source.matrix(),
          "the same for any number of threads");
 }
@@ -96,7 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Scan source = scan_of(take_cloud(bytes, num_source, in_mm));
     const Scan target = scan_of(take_cloud(bytes, count - num_source, in_mm));
     options.num_threads = 1;
-    const AlignResult result = register_scans(source, target, guess, options);
+    const AlignResult result = register_scans(source, target, guess, options).result;
     expect_sound(result);
     if (source_share % 4 == 0) expect_same_with_threads(source, target, guess, options, result);
   } catch (const std::invalid_argument&) {  // options out of their range, or a guess that is no motion

@@ -37,12 +37,12 @@ error: empty clouds, or such as do not fit, give a status. Raises ArgumentError 
 range, ArgumentTypeError (a TypeError) for unknown options and for what are no numbers. Arrays are copied first. Works
 without the GIL; may be called from several threads at once; Ctrl-C ends it between two iterations or stages.)";
 
-// The same stages as the command's, so that the lengths that were derived can be told.
+// The result, with the derived lengths among its options.
 Result register_pair(const Scan& source, const Scan& target, const Rigid3& initial, RegistrationOptions options) {
-  const Lengths lengths = lengths_for(source, target, options);
+  Registration registration = register_scans(source, target, initial, options);
+  const Lengths& lengths = registration.prepared.lengths;
   Result result;
-  const ScanPair pair = prepare_both(source, target, lengths, options);
-  result.found = register_prepared(pair.source, pair.target, initial, lengths, options);
+  result.found = std::move(registration.result);
   options.stop = {};
   if (lengths.radius > 0.0) {
     options.radius = lengths.radius;

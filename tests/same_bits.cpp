@@ -73,9 +73,9 @@ int main() {
   const auto pairs = matcher.match(source.cloud, pose, {}, 1);
   std::printf("pairs %zu\n", pairs.size());
   const Objective objective{with_lever(default_information(), 0.05), 0.5, 0.05};
-  print("equations", linearize(source.cloud, target.cloud, pairs, pose, objective, 1));
+  print("equations", linearize({source.cloud, target.cloud, pairs, pose}, objective, 1));
   Hash chi2;
-  for (const float part : chi2_of_pairs(source.cloud, target.cloud, pairs, pose, objective.information, 1).position)
+  for (const float part : chi2_of_pairs({source.cloud, target.cloud, pairs, pose}, objective.information, 1).position)
     chi2.add(static_cast<double>(part));
   chi2.print("chi2");
 }

@@ -33,11 +33,11 @@ Rigid3 initial_pose(const std::string& argument) {
   return std::filesystem::exists(argument, not_a_path) ? read_transform(argument) : parse_transform(argument);
 }
 
-// A registration, and what it was made of.
 struct AlignRun {
   AlignReport report;
   Rigid3 initial;
-  Scan source_as_read, source, target;  // the last two prepared
+  Cloud source_as_read;
+  PreparedPair prepared;
 };
 
 AlignRun register_files(const AlignArguments& arguments) {
@@ -49,18 +49,19 @@ AlignRun register_files(const AlignArguments& arguments) {
   const RegistrationOptions& options = report.options = arguments.registration;
   report.with_history = arguments.trace;
   const Stopwatch reading;
-  run.source_as_read = read_input(arguments.source, arguments.input, arguments.source_image).scan;
+  Scan source = read_input(arguments.source, arguments.input, arguments.source_image).scan;
+  run.source_as_read = source.cloud;
   Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
   report.timing_ms.read = reading.elapsed_ms();
   const Stopwatch preparing;
-  report.lengths = lengths_for(run.source_as_read, target, options);
-  ScanPair prepared = prepare_both(run.source_as_read, std::move(target), report.lengths, options);
-  run.source = std::move(prepared.source);
-  run.target = std::move(prepared.target);
+  PreparedPair prepared = prepare_pair(std::move(source), std::move(target), options);
   report.timing_ms.surface = preparing.elapsed_ms();
   const Stopwatch aligning;
-  report.result = register_prepared(run.source, run.target, run.initial, report.lengths, options);
+  Registration registration = register_pair(std::move(prepared), run.initial, options);
   report.timing_ms.align = aligning.elapsed_ms();
+  report.result = std::move(registration.result);
+  report.lengths = registration.prepared.lengths;
+  run.prepared = std::move(registration.prepared);
   return run;
 }
 
@@ -88,10 +89,10 @@ int run_align(AlignArguments arguments) {
   if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
   if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
   if (!arguments.output.empty()) {
-    const Cloud moved = transform(run.source_as_read.cloud, pose);
+    const Cloud moved = transform(run.source_as_read, pose);
     write_whole([&] { write_cloud(arguments.output, moved); });
   }
-  if (!arguments.page.empty()) write_align_page(arguments.page, {report, run.initial, run.source, run.target});
+  if (!arguments.page.empty()) write_align_page(arguments.page, {report, run.initial, run.prepared});
   return exit_code_for(report.result.status);
 }
 

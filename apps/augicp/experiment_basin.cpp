@@ -31,7 +31,7 @@ struct BasinArguments {
 
 Rigid3 truth_of(const Scan& source, const Scan& target, const BasinArguments& arguments) {
   if (!arguments.truth.empty()) return read_transform(arguments.truth);
-  const AlignResult result = register_scans(source, target, {}, arguments.options.registration);
+  const AlignResult result = register_scans(source, target, {}, arguments.options.registration).result;
   if (result.status != AlignStatus::Converged)
     throw IoError(fmt::format("{}: from the identity the registration is {}; give --truth", arguments.source,
                               name_of(result.status)));

@@ -31,7 +31,7 @@ Step step_between(const Rigid3& before, const Rigid3& after, const Vec3d& middle
 
 std::vector<Step> steps_of(const AlignPicture& picture) {
   const std::vector<Rigid3> poses = poses_of(picture);
-  const Vec3d middle = middle_of(picture.source.cloud);
+  const Vec3d middle = middle_of(picture.prepared.source.cloud);
   std::vector<Step> steps;
   for (std::size_t i = 1; i < poses.size(); ++i) steps.push_back(step_between(poses[i - 1], poses[i], middle));
   return steps;
@@ -70,7 +70,7 @@ std::vector<Chart> convergence_charts(const AlignPicture& picture) {
 }
 
 nlohmann::ordered_json align_json(const AlignPicture& picture) {
-  const CloudFrame frame = frame_of(picture.source, picture.target);
+  const CloudFrame frame = frame_of(picture.prepared.source, picture.prepared.target);
   const AlignReport& report = picture.report;
   nlohmann::ordered_json poses = nlohmann::ordered_json::array();
   for (const Rigid3& pose : poses_of(picture)) poses.push_back(pose_numbers(page_from_source(frame, pose)));

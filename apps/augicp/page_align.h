@@ -11,8 +11,7 @@ namespace augicp::app {
 struct AlignPicture {
   const AlignReport& report;
   const Rigid3& initial;  // target_from_source
-  const Scan& source;     // prepared
-  const Scan& target;
+  const PreparedPair& prepared;
 };
 
 // The same bytes for any number of threads: no times, and no count of threads, in it.

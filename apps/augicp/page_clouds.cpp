@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "apps/augicp/page_parts.h"
-#include "augicp/registration/scan_match.h"
 #include "augicp/report/packing.h"
 #include "augicp/report/thinning.h"
 
@@ -37,13 +36,11 @@ nlohmann::ordered_json cloud_json(const Cloud& cloud, const std::vector<std::uin
 
 // In the page's frame, one a source point; NaN where there is none.
 std::vector<Vec3f> partners_of(const AlignPicture& picture, const Vec3f& centre) {
-  std::vector<Vec3f> partners(picture.source.cloud.size(), Vec3f::Constant(std::numeric_limits<float>::quiet_NaN()));
-  const Rigid3& pose = picture.report.result.target_from_source;
-  if (picture.source.cloud.empty() || picture.target.cloud.empty() || !pose.matrix().allFinite()) return partners;
+  const Scan &source = picture.prepared.source, &target = picture.prepared.target;
+  std::vector<Vec3f> partners(source.cloud.size(), Vec3f::Constant(std::numeric_limits<float>::quiet_NaN()));
   if (!has_pose(picture.report.result.status)) return partners;
-  const ScanMatch level(picture.source, picture.target, picture.report.lengths, picture.report.options);
-  for (const Correspondence& pair : level.pairs(pose))
-    partners[pair.source] = picture.target.cloud.points[pair.target] - centre;
+  for (const Correspondence& pair : picture.report.result.pairs)
+    partners[pair.source] = target.cloud.points[pair.target] - centre;
   return partners;
 }
 
@@ -83,7 +80,7 @@ nlohmann::ordered_json view_json(const CloudFrame& frame) {
 }
 
 PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame) {
-  const Cloud &source = picture.source.cloud, &target = picture.target.cloud;
+  const Cloud &source = picture.prepared.source.cloud, &target = picture.prepared.target.cloud;
   const auto source_indices = thinned_indices(source.size(), kMaxPoints);
   PairedClouds clouds{cloud_json(source, source_indices, Vec3f::Zero()),
                       cloud_json(target, thinned_indices(target.size(), kMaxPoints), frame.centre)};

@@ -18,12 +18,10 @@ bool failed(AlignStatus status) {
 Found run(const Pair& pair, const RegistrationOptions& options) {
   Found found;
   Stopwatch watch;
-  Scan source = scan_of_input(pair.source, pair.camera), target = scan_of_input(pair.target, pair.camera);
-  const Lengths lengths = lengths_for(source, target, options);
-  source = prepare(std::move(source), lengths, options);
-  target = prepare(std::move(target), lengths, options);
+  const PreparedPair prepared =
+      prepare_pair(scan_of_input(pair.source, pair.camera), scan_of_input(pair.target, pair.camera), options);
   found.preprocess_ms = watch.lap_ms();
-  const AlignResult result = register_prepared(source, target, pair.guess, lengths, options);
+  const AlignResult result = register_prepared(prepared, pair.guess, options);
   found.align_ms = watch.lap_ms();
   if (!failed(result.status)) found.target_from_source = result.target_from_source;
   found.verdict = name_of(result.status);

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   for (std::string line; std::getline(std::cin, line);) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t start_of_work = std::clock();
-    const augicp::AlignResult result = augicp::register_scans(source, target, {}, options);
+    const augicp::AlignResult result = augicp::register_scans(source, target, {}, options).result;
     const double work_s = static_cast<double>(std::clock() - start_of_work) / CLOCKS_PER_SEC;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     std::printf("%.9f %.9f %.17g\n", passed.count(), work_s, result.target_from_source.matrix()(0, 3));

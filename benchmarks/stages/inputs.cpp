@@ -50,7 +50,8 @@ NewFrame::NewFrame(int step, int num_threads)
 }
 
 AlignResult NewFrame::registered() const {
-  return register_prepared(prepare(scan_of(seen_, pinhole_), lengths_, options_), target_, {}, lengths_, options_);
+  const Scan source = prepare(scan_of(seen_, pinhole_), lengths_, options_);
+  return register_prepared({source, target_, lengths_}, {}, options_);
 }
 
 Cloud cloud_of(std::size_t count) {

@@ -60,8 +60,8 @@ constexpr double kBytesPerPair = 8 + 24 + 24 + 2 + 4;
 void chi2(benchmark::State& state) {
   const Iteration at(static_cast<int>(state.range(0)));
   for (auto _ : state)
-    benchmark::DoNotOptimize(chi2_of_pairs(at.source.cloud, at.target.cloud, at.pairs, Rigid3{}, default_information(),
-                                           static_cast<int>(state.range(1))));
+    benchmark::DoNotOptimize(chi2_of_pairs({at.source.cloud, at.target.cloud, at.pairs, Rigid3{}},
+                                           default_information(), static_cast<int>(state.range(1))));
   const double pairs = static_cast<double>(at.pairs.size());
   // Places and their errors, 21 doubles; directions and their errors 18, chi2 32.
   set_counters(
@@ -75,7 +75,7 @@ void linearize_pairs(benchmark::State& state, const InformationModel& model) {
   const Objective objective{with_lever(model, kLever), 0.01, 0.01};
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        linearize(at.source.cloud, at.target.cloud, at.pairs, Rigid3{}, objective, static_cast<int>(state.range(1))));
+        linearize({at.source.cloud, at.target.cloud, at.pairs, Rigid3{}}, objective, static_cast<int>(state.range(1))));
   const double pairs = static_cast<double>(at.pairs.size());
   // As for chi2; two losses 60, products 150, sums 31.
   set_counters(state,
@@ -97,7 +97,7 @@ void iteration(benchmark::State& state) {
   const Objective objective{with_lever(default_information(), kLever), 0.01, 0.01};
   for (auto _ : state) {
     const auto pairs = at.matcher.match(at.source.cloud, Rigid3{}, at.gates, num_threads);
-    benchmark::DoNotOptimize(linearize(at.source.cloud, at.target.cloud, pairs, Rigid3{}, objective, num_threads));
+    benchmark::DoNotOptimize(linearize({at.source.cloud, at.target.cloud, pairs, Rigid3{}}, objective, num_threads));
   }
   set_counters(state, {.items = static_cast<double>(at.pairs.size())});
 }

@@ -26,7 +26,7 @@ void two_clouds(benchmark::State& state) {
   const Cloud target = cloud_of(count);
   const Rigid3 motion{Eigen::Quaterniond(Eigen::AngleAxisd(0.03, Vec3d::UnitY())), Vec3d(0.02, 0.01, -0.02)};
   const Cloud source = transform(target, motion);
-  for (auto _ : state) benchmark::DoNotOptimize(register_scans(scan_of(source), scan_of(target), {}, options));
+  for (auto _ : state) benchmark::DoNotOptimize(register_scans(scan_of(source), scan_of(target), {}, options).result);
   set_counters(state, {.items = static_cast<double>(count)});
 }
 BENCHMARK(two_clouds)->ArgNames({"points", "threads"})->ArgsProduct({{70000}, {1}})->Unit(kMs);

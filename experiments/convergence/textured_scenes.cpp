@@ -61,7 +61,8 @@ void print_row(const Place& place, double contrast, bool intensity, unsigned num
     const Rigid3 motion = testing::random_motion(generator, kAngle, kDistance);
     const AlignResult result =
         register_scans(seen(place.scene, target_place * motion, contrast, kExposureOffset, seed + num_pairs),
-                       seen(place.scene, target_place, contrast, 0.0, seed), {}, options);
+                       seen(place.scene, target_place, contrast, 0.0, seed), {}, options)
+            .result;
     num_converged += result.status == AlignStatus::Converged;
     num_degenerate += result.status == AlignStatus::Degenerate;
     errors.push_back((result.target_from_source.translation - motion.translation).norm());

@@ -25,7 +25,8 @@ AlignResult noisy(const testing::Scene& scene, const Rigid3& motion, int num_col
   const Rigid3& place = scene.world_from_camera;
   const Scan source = testing::noisy_view(scene, place * motion, 2 * seed + 1, num_columns);
   const Scan target = testing::noisy_view(scene, place, 2 * seed + 2, num_columns);
-  return as_clouds ? register_scans(scan_of(source.cloud), scan_of(target.cloud)) : register_scans(source, target);
+  return as_clouds ? register_scans(scan_of(source.cloud), scan_of(target.cloud)).result
+                   : register_scans(source, target).result;
 }
 
 struct Consistency {

@@ -31,7 +31,7 @@ Run run(const DegenerateFamily& family, double noise, unsigned seed) {
   const Rigid3 motion = testing::random_motion(generator, 0.03, 0.03);
   const Cloud target = testing::draw(family, kNumPoints, noise, generator);
   const Cloud source = transform(testing::draw(family, kNumPoints, noise, generator), inverse(motion));
-  const AlignResult result = register_scans(scan_of(source), scan_of(target));
+  const AlignResult result = register_scans(scan_of(source), scan_of(target)).result;
   Run run{result.status == AlignStatus::Degenerate, result.free_motions.size() == family.free_motions.size()};
   const Observability& seen = result.observability;
   std::vector<Vec6d> found;

@@ -86,19 +86,18 @@ struct AlignIteration {
   double intensity_information = 0.0;  // used; 0 where no intensity was compared
 };
 
-// Poses are between the clouds' frames, origins included. On failure the last pose reached is kept: it is never
-// replaced by the identity.
+// Poses and places are between the clouds' points, without their origins; register_scans() gives them between the
+// clouds' frames. On failure the last pose reached is kept: it is never replaced by the identity.
 struct AlignResult {
   Rigid3 target_from_source;
   AlignStatus status = AlignStatus::TooFewPairs;
   int iterations = 0;
-  std::int64_t num_pairs = 0;  // at the last iteration
-  std::int64_t num_intensity_pairs =
-      0;                 // of these, those whose intensities counted; 0: the clouds have none, or it is off
-  double overlap = 0.0;  // share of source points with a partner, in [0, 1]
-  double rmse = 0.0;     // of the distances within the pairs of the final pose, metres
-  Mat6d information = Mat6d::Zero();  // H of the last iteration; order tx ty tz rx ry rz, target points' frame, left
-  Observability observability;        // of the last iteration's pairs
+  std::int64_t num_pairs = 0;            // at the last iteration
+  std::int64_t num_intensity_pairs = 0;  // of these, with compared intensities; 0: the clouds have none, or it is off
+  double overlap = 0.0;                  // share of source points with a partner, in [0, 1]
+  double rmse = 0.0;                     // of the distances within the pairs of the final pose, metres
+  Mat6d information = Mat6d::Zero();     // H of the last iteration; order tx ty tz rx ry rz, target points' frame, left
+  Observability observability;           // of the last iteration's pairs
 
   // Of the pose, in the order and on the side of `information`; see covariance.h. Only where all six directions are
   // held, and the pose is a minimum among those a small step away.
@@ -113,10 +112,15 @@ struct AlignResult {
   std::optional<Evidence> evidence;
   std::vector<Doubt> doubts;
 
+  // Those of the last iteration, in the order of the source's points.
+  std::vector<Correspondence> pairs;
+
   std::vector<AlignIteration> history;
 };
 
-// Section 3.3: pairs, errors, weights, H and b, one damped step; again, until the step is small.
+// Section 3.3: pairs, errors, weights, H and b, one damped step; again, until the step is small. Poses are between the
+// clouds' points, without their origins. Throws std::invalid_argument for options out of their range, Interrupted where
+// an end was requested.
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options);
 

@@ -18,7 +18,7 @@ NormalEquations some_equations(double metres_per_unit = 1.0) {
     row->position.along *= metres_per_unit * metres_per_unit;
     row->position.across *= metres_per_unit * metres_per_unit;
   }
-  return linearize(source, target, testing::random_pairs(300, 100, 3), Rigid3{}, {model}, 1);
+  return linearize({source, target, testing::random_pairs(300, 100, 3), Rigid3{}}, {model}, 1);
 }
 
 TEST(DampedStep, SolvesTheSystem) {

@@ -29,7 +29,7 @@ void add_rotation_errors(const KnownPairs& known, const Objective& objective, Er
   for (double& error : errors) {
     error += angle_between(pose, known.target_from_source) / kNumSeeds;
     const auto pairs = matcher.match(known.source, pose, {}, 0);
-    pose = retract(pose, damped_step(linearize(known.source, known.target, pairs, pose, objective, 0), 1e-6));
+    pose = retract(pose, damped_step(linearize({known.source, known.target, pairs, pose}, objective, 0), 1e-6));
   }
 }
 

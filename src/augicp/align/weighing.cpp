@@ -39,14 +39,13 @@ double signed_median(std::vector<float> values) {
   return static_cast<double>(*middle);
 }
 
-Measured measured_intensities(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                              const Rigid3& target_from_source, int num_threads) {
-  const std::vector<float> residuals = intensity_residuals(source, target, pairs, target_from_source, num_threads);
+Measured measured_intensities(const PosedPairs& posed, int num_threads) {
+  const std::vector<float> residuals = intensity_residuals(posed, num_threads);
   Measured measured;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for (std::size_t k = 0; k < posed.size(); ++k) {
     if (std::isnan(residuals[k])) continue;
     measured.squared_errors.push_back(residuals[k]);
-    measured.squared_gradients.push_back(target.intensity_gradients[pairs[k].target].squaredNorm());
+    measured.squared_gradients.push_back(posed.target.intensity_gradients[posed.pairs[k].target].squaredNorm());
   }
   if (measured.squared_errors.empty()) return measured;
   measured.offset = signed_median(measured.squared_errors);
@@ -75,10 +74,9 @@ Weighing weigh_pairs(const PairChi2& chi2, const AlignOptions& options) {
   return weighing;
 }
 
-IntensityModel weigh_intensities(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                 const Rigid3& target_from_source, const PairChi2& chi2, const AlignOptions& options) {
-  if (!(options.intensity_weight > 0.0) || !compares_intensities(source, target)) return {};
-  const Measured measured = measured_intensities(source, target, pairs, target_from_source, options.num_threads);
+IntensityModel weigh_intensities(const PosedPairs& posed, const PairChi2& chi2, const AlignOptions& options) {
+  if (!(options.intensity_weight > 0.0) || !compares_intensities(posed.source, posed.target)) return {};
+  const Measured measured = measured_intensities(posed, options.num_threads);
   if (measured.squared_errors.empty()) return {};
   const double of_intensity = median(measured.squared_errors), gradient_sq = median(measured.squared_gradients);
   const double of_position = std::max(median(chi2.position), options.min_kernel_chi2 / options.kernel_per_median);

@@ -22,7 +22,6 @@ Weighing weigh_pairs(const PairChi2& chi2, const AlignOptions& options);
 // them. But a typical gradient holds a point no more firmly than a plane's normal does, or a perfect match of
 // brightness would silence the positions. The offset between the clouds is the median too. Off where no intensity is
 // compared.
-IntensityModel weigh_intensities(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                 const Rigid3& target_from_source, const PairChi2& chi2, const AlignOptions& options);
+IntensityModel weigh_intensities(const PosedPairs& posed, const PairChi2& chi2, const AlignOptions& options);
 
 }  // namespace augicp

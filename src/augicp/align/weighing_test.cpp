@@ -48,7 +48,7 @@ BrightPairs bright_pairs(float offset, float gradient) {
 IntensityModel weigh(const BrightPairs& two, double weight = 1.0) {
   AlignOptions options;
   options.intensity_weight = weight;
-  return weigh_intensities(two.source, two.target, two.pairs, Rigid3{}, kChi2, options);
+  return weigh_intensities({two.source, two.target, two.pairs, Rigid3{}}, kChi2, options);
 }
 
 TEST(Weighing, IntensitiesCountAsMuchAsPositions) {

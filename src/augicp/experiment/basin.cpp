@@ -59,8 +59,7 @@ PoseError basin_limit(const Scan& source, const Scan& target, const BasinOptions
 std::vector<BasinCell> run_basin(const Scan& source, const Scan& target, const Rigid3& true_target_from_source,
                                  const BasinOptions& options, const std::function<void()>& on_start) {
   options.check();
-  const Lengths lengths = lengths_for(source, target, options.registration);
-  const auto [moving, fixed] = prepare_both(source, target, lengths, options.registration);
+  const PreparedPair prepared = prepare_pair(source, target, options.registration);
   const PoseError limit = basin_limit(source, target, options);
   const Vec3d middle = middle_of(source.cloud);
   std::mt19937 generator(options.seed);
@@ -70,7 +69,7 @@ std::vector<BasinCell> run_basin(const Scan& source, const Scan& target, const R
       std::size_t num_success = 0, iterations = 0;
       for (std::size_t i = 0; i < options.num_starts; ++i) {
         const Rigid3 start = disturbed(true_target_from_source, random_motion(generator, angle_rad, distance), middle);
-        const AlignResult result = register_prepared(moving, fixed, start, lengths, options.registration);
+        const AlignResult result = register_prepared(prepared, start, options.registration);
         num_success += is_within(pose_error(result.target_from_source, true_target_from_source), limit);
         iterations += static_cast<std::size_t>(result.iterations);
         on_start();

@@ -45,7 +45,7 @@ SequenceCurve run_pair(const PreparedFrame& source, const PreparedFrame& target,
   const Scan& from = source.scans[preset];
   const Scan& to = target.scans[preset];
   const Rigid3 guess = guess_for(curve, options);
-  const AlignResult result = register_prepared(from, to, guess, lengths_for(from, to, registration), registration);
+  const AlignResult result = register_prepared({from, to, lengths_for(from, to, registration)}, guess, registration);
   curve.status = result.status;
   curve.path = path_of(result, guess, options.iterations);
   return curve;

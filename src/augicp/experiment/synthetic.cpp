@@ -29,12 +29,12 @@ std::vector<PoseError> run_known_pairs(const KnownPairs& known, const AlignOptio
   std::vector<PoseError> errors{pose_error(pose, known.target_from_source)};
   for (int i = 0; i < options.iterations; ++i) {
     const PairChi2 chi2 =
-        chi2_of_pairs(known.source, known.target, known.pairs, pose, align.information, options.num_threads);
+        chi2_of_pairs({known.source, known.target, known.pairs, pose}, align.information, options.num_threads);
     const Weighing weighing = weigh_pairs(chi2, align);
     const Objective objective{with_lever(align.information, weighing.lever), weighing.kernel_chi2,
                               weighing.kernel_direction_chi2};
     const NormalEquations equations =
-        linearize(known.source, known.target, known.pairs, pose, objective, options.num_threads);
+        linearize({known.source, known.target, known.pairs, pose}, objective, options.num_threads);
     const Vec6d step = damped_step(equations, align.damping);
     pose = retract(pose, step);
     errors.push_back(pose_error(pose, known.target_from_source));

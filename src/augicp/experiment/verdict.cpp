@@ -69,8 +69,9 @@ std::optional<Rigid3> true_motion(const VerdictSequence& in, std::size_t target,
 
 void register_pair(const Scan& source, const Scan& target, const std::optional<Rigid3>& truth,
                    const VerdictOptions& options, VerdictPair& pair) {
-  const AlignResult result = options.as_clouds ? register_scans(bare(source), bare(target), {}, options.registration)
-                                               : register_scans(source, target, {}, options.registration);
+  const AlignResult result = options.as_clouds
+                                 ? register_scans(bare(source), bare(target), {}, options.registration).result
+                                 : register_scans(source, target, {}, options.registration).result;
   pair.status = result.status;
   pair.evidence = result.evidence;
   const bool ended = static_cast<int>(result.history.size()) < options.registration.max_iterations;

@@ -16,6 +16,17 @@ struct Rigid3 {
   Mat4d matrix() const;
 };
 
+// The same motion in float, as a matrix, for many points whose last digits do not count.
+struct Rigid3f {
+  Eigen::Matrix3f rotation;
+  Vec3f translation;
+
+  explicit Rigid3f(const Rigid3& b_from_a)
+      : rotation(b_from_a.rotation.toRotationMatrix().cast<float>()), translation(b_from_a.translation.cast<float>()) {}
+
+  Vec3f operator*(const Vec3f& x_in_a) const { return rotation * x_in_a + translation; }
+};
+
 // Eq. (4): the affine part of an extended point is rotated and translated. (The linear part, Eq. (7), is rotated only.)
 Vec3d operator*(const Rigid3& b_from_a, const Vec3d& x_in_a);
 

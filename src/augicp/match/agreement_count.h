@@ -18,13 +18,12 @@ class SurfaceTest {
   SurfaceTest(const Cloud& source, const Cloud& target, const Rigid3& target_from_source, double min_cosine)
       : source_(source),
         target_(target),
-        rotation_(target_from_source.rotation.toRotationMatrix().cast<float>()),
-        translation_(target_from_source.translation.cast<float>()),
+        pose_(target_from_source),
         min_cosine_(static_cast<float>(min_cosine)),
         has_directions_(source.has_directions() && target.has_directions()),
         signed_normals_(normals_have_signs(source, target)) {}
 
-  Vec3f moved(std::size_t source_index) const { return rotation_ * source_.points[source_index] + translation_; }
+  Vec3f moved(std::size_t source_index) const { return pose_ * source_.points[source_index]; }
 
   bool agrees(std::size_t source_index, const Vec3f& moved, std::size_t target_index, float tolerance) const {
     const Vec3f error = moved - target_.points[target_index];
@@ -33,15 +32,14 @@ class SurfaceTest {
     const Vec3f& normal = target_.directions[target_index];
     if (std::abs(normal.dot(error)) > tolerance) return false;
     if (source_.structures[source_index] != Structure::Planar) return true;
-    const float cosine = normal.dot(rotation_ * source_.directions[source_index]);
+    const float cosine = normal.dot(pose_.rotation * source_.directions[source_index]);
     return (signed_normals_ ? cosine : std::abs(cosine)) >= min_cosine_;
   }
 
  private:
   const Cloud& source_;
   const Cloud& target_;
-  Eigen::Matrix3f rotation_;
-  Vec3f translation_;
+  Rigid3f pose_;
   float min_cosine_;
   bool has_directions_;
   bool signed_normals_;

@@ -88,7 +88,7 @@ TEST(Agreement, ThreadsCountAlike) {
   const Rigid3 pose{Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Vec3d::UnitY())), {0.05, 0, 0}};
   const ProjectiveMatcher projective(target.cloud, target.index, kCamera);
   const NearestMatcher nearest(target.cloud);
-  for (const Matcher* matcher : std::initializer_list<const Matcher*>{&projective, &nearest})
+  for (const ScanMatcher* matcher : std::initializer_list<const ScanMatcher*>{&projective, &nearest})
     EXPECT_EQ(matcher->agreement(source, pose, kTolerance, 4), matcher->agreement(source, pose, kTolerance, 1));
 }
 

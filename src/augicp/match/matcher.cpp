@@ -4,9 +4,9 @@
 namespace augicp {
 namespace {
 
-class Anew : public Matching {
+class PlainSession final : public MatchSession {
  public:
-  Anew(const Cloud& source, const Matcher& matcher) : source_(source), matcher_(matcher) {}
+  PlainSession(const Cloud& source, const Matcher& matcher) : source_(source), matcher_(matcher) {}
   std::vector<Correspondence> match(const Rigid3& target_from_source, const Gates& gates, int num_threads) override {
     return matcher_.match(source_, target_from_source, gates, num_threads);
   }
@@ -18,6 +18,8 @@ class Anew : public Matching {
 
 }  // namespace
 
-std::unique_ptr<Matching> Matcher::matching(const Cloud& source) const { return std::make_unique<Anew>(source, *this); }
+std::unique_ptr<MatchSession> Matcher::session(const Cloud& source) const {
+  return std::make_unique<PlainSession>(source, *this);
+}
 
 }  // namespace augicp

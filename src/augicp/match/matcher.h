@@ -12,45 +12,56 @@
 
 namespace augicp {
 
-// Guesses the pairs of one source under one pose after the other, and may remember from each what makes the next one
-// faster: what it finds does not depend on what was asked before. For one thread at a time.
-class Matching {
+// Finds the pairs of one source under one pose after another. It may remember from each what makes the next one faster;
+// what it finds does not depend on what was asked before.
+// Thread safety: one thread at a time.
+class MatchSession {
  public:
-  virtual ~Matching() = default;
+  virtual ~MatchSession() = default;
 
   // See Matcher::match().
   virtual std::vector<Correspondence> match(const Rigid3& target_from_source, const Gates& gates, int num_threads) = 0;
 };
 
-// Guesses pairs under a pose; made for one target, which must outlive it. Const calls may run concurrently.
+// Finds pairs under a pose. Made for one target, which must outlive it. Poses are between the clouds' points, without
+// their origins. The result is bit-identical for any number of threads.
+// Thread safety: const calls may run concurrently.
 class Matcher {
  public:
   virtual ~Matcher() = default;
 
   virtual const Cloud& target() const = 0;
 
-  // The pairs, in an order that depends on the clouds only. target_from_source maps between the clouds' points, without
-  // their origins.
+  // The pairs, in an order that depends on the clouds only.
   virtual std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                             int num_threads) const = 0;
 
-  // For one pose after the other: what align() asks. The matcher and the source must outlive it. Unless overridden, it
-  // calls match() for each; who overrides match() of a NearestMatcher must override it, too.
-  virtual std::unique_ptr<Matching> matching(const Cloud& source) const;
+  // For one pose after another, as align() needs them. The matcher and the source must outlive it. The default calls
+  // match() for each.
+  virtual std::unique_ptr<MatchSession> session(const Cloud& source) const;
+};
 
-  // What the target says of the source under a pose, whatever pairs there are. The same for any number of threads.
+// Compares a target with a source under a pose, whatever pairs there are.
+// Thread safety: const calls may run concurrently. The result is the same for any number of threads.
+class AgreementCounter {
+ public:
+  virtual ~AgreementCounter() = default;
+
   virtual Agreement agreement(const Cloud& source, const Rigid3& target_from_source,
                               const AgreementTolerance& tolerance, int num_threads) const = 0;
 };
 
+// What a registration needs of each of its scans.
+class ScanMatcher : public Matcher, public AgreementCounter {};
+
 // The nearest target point of every source point.
-class NearestMatcher : public Matcher {
+class NearestMatcher final : public ScanMatcher {
  public:
   explicit NearestMatcher(const Cloud& target);
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
-  std::unique_ptr<Matching> matching(const Cloud& source) const override;
+  std::unique_ptr<MatchSession> session(const Cloud& source) const override;
 
   // What lies farther than some tolerances from every target point is unseen: a cloud does not say what was free.
   Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
@@ -66,7 +77,7 @@ class PairFilter;
 // "Line of sight" (section 4.1): the source is projected into the target's depth image, and what is seen in a pixel is
 // paired with the target point of that pixel: the nearest point where there are several, but of a few points in a large
 // image all.
-class ProjectiveMatcher : public Matcher {
+class ProjectiveMatcher final : public ScanMatcher {
  public:
   // index: the pixel each point of the target was seen in by the camera; it must outlive the matcher too.
   ProjectiveMatcher(const Cloud& target, const IndexImage& index, const Pinhole& camera);

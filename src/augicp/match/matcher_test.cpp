@@ -141,20 +141,20 @@ TEST(NearestMatcher, PairsAreTheBruteForceOnesInSourceOrder) {
 }
 
 // Of one pose after the other, far and near, under gates that close and open: what is remembered changes nothing.
-TEST(Matcher, MatchingOfManyPosesIsThatOfEachForAnyNumberOfThreads) {
+TEST(Matcher, SessionOfManyPosesIsThatOfEachForAnyNumberOfThreads) {
   const OrganizedCloud target = random_target(5);
   const Cloud source = source_near(target.cloud, 6);
   const NearestMatcher nearest(target.cloud);
   const ProjectiveMatcher projective(target.cloud, target.index, kCamera);
   for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
-    const std::unique_ptr<Matching> matching = matcher->matching(source);
+    const std::unique_ptr<MatchSession> session = matcher->session(source);
     int num_threads = 0;
     std::mt19937 generator(7);
     for (const double size : {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 0.0, 0.1}) {
       const Rigid3 pose = testing::random_motion(generator, size, size);
       Gates gates;
       gates.max_distance = 0.02 + size;
-      EXPECT_EQ(matching->match(pose, gates, ++num_threads), matcher->match(source, pose, gates, 1)) << size;
+      EXPECT_EQ(session->match(pose, gates, ++num_threads), matcher->match(source, pose, gates, 1)) << size;
     }
   }
 }

@@ -30,9 +30,9 @@ std::vector<Correspondence> match_nearest(const Cloud& source, const PairFilter&
   return joined(of_block);
 }
 
-class NearestMatching : public Matching {
+class NearestSession final : public MatchSession {
  public:
-  NearestMatching(const Cloud& source, const Cloud& target, const KdTree& tree)
+  NearestSession(const Cloud& source, const Cloud& target, const KdTree& tree)
       : source_(source), target_(target), memory_(tree, source.size()) {}
 
   std::vector<Correspondence> match(const Rigid3& target_from_source, const Gates& gates, int num_threads) override {
@@ -68,8 +68,8 @@ std::vector<Correspondence> NearestMatcher::match(const Cloud& source, const Rig
   return match_nearest(source, filter, num_threads, find);
 }
 
-std::unique_ptr<Matching> NearestMatcher::matching(const Cloud& source) const {
-  return std::make_unique<NearestMatching>(source, target_, tree_);
+std::unique_ptr<MatchSession> NearestMatcher::session(const Cloud& source) const {
+  return std::make_unique<NearestSession>(source, target_, tree_);
 }
 
 Agreement NearestMatcher::agreement(const Cloud& source, const Rigid3& target_from_source,

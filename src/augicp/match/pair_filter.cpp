@@ -97,8 +97,7 @@ void AgreementTolerance::check() const {
 PairFilter::PairFilter(const Cloud& source, const Cloud& target, const Rigid3& target_from_source, const Gates& gates)
     : source_(source),
       target_(target),
-      rotation_(target_from_source.rotation.toRotationMatrix().cast<float>()),
-      translation_(target_from_source.translation.cast<float>()),
+      pose_(target_from_source),
       max_distance_sq_(static_cast<float>(gates.max_distance * gates.max_distance)),
       min_cosine_(static_cast<float>(std::cos(std::min(gates.max_angle, std::numbers::pi)))),
       compares_angles_(gates.max_angle < std::numbers::pi && source.has_directions() && target.has_directions()),
@@ -108,8 +107,8 @@ PairFilter::PairFilter(const Cloud& source, const Cloud& target, const Rigid3& t
 void PairFilter::append_passing(const IndexRuns& sources, const IndexRuns& targets,
                                 std::vector<Correspondence>& pairs) const {
   GateNumbers gates{{}, {}, max_distance_sq_, min_cosine_, compares_angles_, same_structure_, signed_normals_};
-  for (int i = 0; i < 9; ++i) gates.rotation[i] = rotation_(i / 3, i % 3);
-  for (int i = 0; i < 3; ++i) gates.translation[i] = translation_[i];
+  for (int i = 0; i < 9; ++i) gates.rotation[i] = pose_.rotation(i / 3, i % 3);
+  for (int i = 0; i < 3; ++i) gates.translation[i] = pose_.translation[i];
   Candidates candidates{};  // entries behind the last pair are computed with, too
   gather(source_.points, sources, candidates.source_point);
   gather(target_.points, targets, candidates.target_point);

@@ -17,7 +17,7 @@ class PairFilter {
   // target_from_source maps between the clouds' points, without their origins.
   PairFilter(const Cloud& source, const Cloud& target, const Rigid3& target_from_source, const Gates& gates);
 
-  Vec3f moved(std::uint32_t source_index) const { return rotation_ * source_.points[source_index] + translation_; }
+  Vec3f moved(std::uint32_t source_index) const { return pose_ * source_.points[source_index]; }
   float max_distance_sq() const { return max_distance_sq_; }
 
   // All gates; the distance is measured from the moved source point.
@@ -36,15 +36,14 @@ class PairFilter {
     const Structure of_source = source_.structures[source_index], of_target = target_.structures[target_index];
     if (of_source != of_target) return !same_structure_ || of_source == Structure::None || of_target == Structure::None;
     if (!compares_angles_ || of_target == Structure::None) return true;
-    const float cosine = target_.directions[target_index].dot(rotation_ * source_.directions[source_index]);
+    const float cosine = target_.directions[target_index].dot(pose_.rotation * source_.directions[source_index]);
     const bool with_sign = signed_normals_ && of_target == Structure::Planar;
     return (with_sign ? cosine : std::abs(cosine)) >= min_cosine_;
   }
 
   const Cloud& source_;
   const Cloud& target_;
-  Eigen::Matrix3f rotation_;
-  Vec3f translation_;
+  Rigid3f pose_;
   float max_distance_sq_;
   float min_cosine_;
   bool compares_angles_;

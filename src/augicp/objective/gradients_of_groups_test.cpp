@@ -41,12 +41,12 @@ struct Groups {
   }
 
   std::vector<Vec6d> gradients(const Objective& objective, int num_threads = 1) const {
-    return gradients_of_groups(source, target, pairs, begin, pose, objective, num_threads);
+    return gradients_of_groups({source, target, pairs, pose}, begin, objective, num_threads);
   }
 
   Vec6d one_by_one(std::size_t group, const Objective& objective) const {
     const auto of_group = std::span(pairs).subspan(begin[group], begin[group + 1] - begin[group]);
-    return linearize(source, target, of_group, pose, objective, 1).b;
+    return linearize({source, target, of_group, pose}, objective, 1).b;
   }
 };
 
@@ -73,7 +73,7 @@ TEST(GradientsOfGroups, SameBitsForAnyNumberOfThreads) {
 TEST(GradientsOfGroups, OfNoPairsAreZero) {
   const Groups groups;
   const std::array<std::size_t, 3> begin{0, 0, 0};
-  const auto gradients = gradients_of_groups(groups.source, groups.target, {}, begin, groups.pose, kObjective, 1);
+  const auto gradients = gradients_of_groups({groups.source, groups.target, {}, groups.pose}, begin, kObjective, 1);
   EXPECT_EQ(gradients, std::vector<Vec6d>(2, Vec6d::Zero()));
 }
 

@@ -11,11 +11,11 @@ namespace {
 
 class PairIntensity {
  public:
-  PairIntensity(const Cloud& source, const Cloud& target, const Rigid3& target_from_source)
-      : source_(source),
-        target_(target),
-        rotation_(target_from_source.rotation.toRotationMatrix()),
-        translation_(target_from_source.translation) {}
+  explicit PairIntensity(const PosedPairs& posed)
+      : source_(posed.source),
+        target_(posed.target),
+        rotation_(posed.target_from_source.rotation.toRotationMatrix()),
+        translation_(posed.target_from_source.translation) {}
 
   Vec3d moved(const Correspondence& pair) const {
     return rotation_ * source_.points[pair.source].cast<double>() + translation_;
@@ -99,27 +99,26 @@ bool compares_intensities(const Cloud& source, const Cloud& target) {
   return source.has_intensities() && target.has_intensity_gradients();
 }
 
-std::vector<float> intensity_residuals(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                       const Rigid3& target_from_source, int num_threads) {
-  std::vector<float> residuals(pairs.size(), std::numeric_limits<float>::quiet_NaN());
-  if (!compares_intensities(source, target)) return residuals;
-  const PairIntensity of(source, target, target_from_source);
+std::vector<float> intensity_residuals(const PosedPairs& posed, int num_threads) {
+  std::vector<float> residuals(posed.size(), std::numeric_limits<float>::quiet_NaN());
+  if (!compares_intensities(posed.source, posed.target)) return residuals;
+  const PairIntensity of(posed);
   const auto measure = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
-      residuals[k] = static_cast<float>(of.residual(pairs[k], of.moved(pairs[k]), of.gradient(pairs[k])));
+      residuals[k] =
+          static_cast<float>(of.residual(posed.pairs[k], of.moved(posed.pairs[k]), of.gradient(posed.pairs[k])));
   };
-  for_each_block(pairs.size(), num_threads, measure, kLightBlockSize);
+  for_each_block(posed.size(), num_threads, measure, kLightBlockSize);
   return residuals;
 }
 
-NormalEquations linearize_intensity(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                    const Rigid3& target_from_source, const IntensityModel& model, int num_threads) {
+NormalEquations linearize_intensity(const PosedPairs& posed, const IntensityModel& model, int num_threads) {
   model.check();
-  if (!compares_intensities(source, target)) return {};
-  const PairIntensity of(source, target, target_from_source);
+  if (!compares_intensities(posed.source, posed.target)) return {};
+  const PairIntensity of(posed);
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     Sums sums;
-    for (const Correspondence& pair : pairs.subspan(begin, end - begin)) {
+    for (const Correspondence& pair : posed.pairs.subspan(begin, end - begin)) {
       const Vec3d q = of.moved(pair), g = of.gradient(pair);
       const double r = of.residual(pair, q, g) - model.offset;
       if (std::isnan(r)) continue;
@@ -127,26 +126,26 @@ NormalEquations linearize_intensity(const Cloud& source, const Cloud& target, st
     }
     return sums;
   };
-  Sums sums = blocked_sum<Sums>(pairs.size(), num_threads, sums_of, kLightBlockSize);
+  Sums sums = blocked_sum<Sums>(posed.size(), num_threads, sums_of, kLightBlockSize);
   const Vec6d& j = sums.weighted_jacobian;
   if (sums.weight > 0.0) sums.equations.H -= j * j.transpose() / sums.weight;
   return sums.equations;
 }
 
-Mat6d shared_intensity_information(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                   const Rigid3& target_from_source, const IntensityModel& model, int num_threads) {
+Mat6d shared_intensity_information(const PosedPairs& posed, const IntensityModel& model, int num_threads) {
   model.check();
-  if (!compares_intensities(source, target) || !source.has_intensity_gradients()) return Mat6d::Zero();
-  const PairIntensity of(source, target, target_from_source);
-  const Mat3d rotation = target_from_source.rotation.toRotationMatrix();
+  if (!compares_intensities(posed.source, posed.target) || !posed.source.has_intensity_gradients())
+    return Mat6d::Zero();
+  const PairIntensity of(posed);
+  const Mat3d rotation = posed.target_from_source.rotation.toRotationMatrix();
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     SharedSums sums;
-    for (const Correspondence& pair : pairs.subspan(begin, end - begin)) {
+    for (const Correspondence& pair : posed.pairs.subspan(begin, end - begin)) {
       const Vec3d q = of.moved(pair), g = of.gradient(pair);
       const double r = of.residual(pair, q, g) - model.offset;
       if (std::isnan(r)) continue;
       const double w = weight_of(r, model);
-      const Vec6d seen = jacobian_of(rotation * source.intensity_gradients[pair.source].cast<double>(), q);
+      const Vec6d seen = jacobian_of(rotation * posed.source.intensity_gradients[pair.source].cast<double>(), q);
       const Vec6d expected = jacobian_of(g, q);
       sums.products += w * seen * expected.transpose();
       sums.of_source += w * seen;
@@ -155,7 +154,7 @@ Mat6d shared_intensity_information(const Cloud& source, const Cloud& target, std
     }
     return sums;
   };
-  const SharedSums sums = blocked_sum<SharedSums>(pairs.size(), num_threads, sums_of, kLightBlockSize);
+  const SharedSums sums = blocked_sum<SharedSums>(posed.size(), num_threads, sums_of, kLightBlockSize);
   if (!(sums.weight > 0.0)) return Mat6d::Zero();
   const Mat6d shared = sums.products - sums.of_source * sums.of_target.transpose() / sums.weight;
   return 0.5 * (shared + shared.transpose());

@@ -12,8 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "augicp/cloud/cloud.h"
-#include "augicp/cloud/correspondence.h"
+#include "augicp/cloud/posed_pairs.h"
 #include "augicp/objective/normal_equations.h"
 
 namespace augicp {
@@ -32,20 +31,17 @@ bool compares_intensities(const Cloud& source, const Cloud& target);
 
 // r of every pair, offset included; NaN where the intensities are not compared: one of them or the gradient is not
 // known.
-std::vector<float> intensity_residuals(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                       const Rigid3& target_from_source, int num_threads);
+std::vector<float> intensity_residuals(const PosedPairs& posed, int num_threads);
 
 // H, b and cost of this part alone; num_intensity_pairs counts those compared. Points without their origins. b is the
 // gradient of the cost under the offset given. H is that of a pose whose offset is not known but found with it (the
 // Schur complement): a motion that a change of exposure explains as well, such as one along an even ramp of brightness,
 // is not held. Same bits for any number of threads.
-NormalEquations linearize_intensity(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                    const Rigid3& target_from_source, const IntensityModel& model, int num_threads);
+NormalEquations linearize_intensity(const PosedPairs& posed, const IntensityModel& model, int num_threads);
 
 // The information that both points of each pair hold: as H, but with one J of the target's gradient and one of the
 // source's. What the noise of one seems to hold, that of the other denies, so that a bare wall is held by neither. To
 // judge a pose by, not to step by: it may have eigenvalues a little below zero. Zero where the source has no gradients.
-Mat6d shared_intensity_information(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                   const Rigid3& target_from_source, const IntensityModel& model, int num_threads);
+Mat6d shared_intensity_information(const PosedPairs& posed, const IntensityModel& model, int num_threads);
 
 }  // namespace augicp

@@ -57,7 +57,7 @@ double plain_residual(const TwoClouds& two, const Correspondence& pair, const Ri
 }
 
 NormalEquations linearize(const TwoClouds& two, const Rigid3& pose, const IntensityModel& model, int num_threads = 1) {
-  return linearize_intensity(two.source, two.target, two.pairs, pose, model, num_threads);
+  return linearize_intensity({two.source, two.target, two.pairs, pose}, model, num_threads);
 }
 
 template <typename Matrix>
@@ -70,7 +70,7 @@ const std::vector<IntensityModel> kModels{{1.0}, {200.0}, {200.0, 30.0}, {200.0,
 TEST(Intensity, CostAndResidualsAreTheDefinition) {
   const TwoClouds two = random_pairs(200, 1);
   for (const Rigid3& pose : some_poses()) {
-    const std::vector<float> residuals = intensity_residuals(two.source, two.target, two.pairs, pose, 1);
+    const std::vector<float> residuals = intensity_residuals({two.source, two.target, two.pairs, pose}, 1);
     double cost = 0.0;
     for (std::size_t k = 0; k < two.pairs.size(); ++k) {
       const double r = plain_residual(two, two.pairs[k], pose);
@@ -98,10 +98,10 @@ TEST(Intensity, VectorOfTheWholeObjectiveIsTheGradientOfItsCost) {
     for (const Rigid3& pose : some_poses()) {
       const Objective objective{augmented_information(), 100.0, 50.0, model};
       const auto at = [&](const Rigid3& moved) {
-        return augicp::linearize(two.source, two.target, two.pairs, moved, objective, 1);
+        return augicp::linearize({two.source, two.target, two.pairs, moved}, objective, 1);
       };
       const auto cost = [&](const Rigid3& moved) {  // in double, whose digits bear differences
-        return testing::plain_cost(two.source, two.target, two.pairs, moved, objective) +
+        return testing::plain_cost({two.source, two.target, two.pairs, moved}, objective) +
                linearize(two, moved, model).cost;
       };
       EXPECT_NEAR(at(pose).cost, cost(pose), 2e-6 * cost(pose));
@@ -161,7 +161,7 @@ TEST(Intensity, WhatBothKnowIsTheMatrixWhereTheyAgreeAndLittleWhereTheyDoNot) {
     }
     for (Correspondence& pair : alike.pairs) pair.source = pair.target;
     const auto shared = [&](const TwoClouds& two, int num_threads) {
-      return shared_intensity_information(two.source, two.target, two.pairs, pose, model, num_threads);
+      return shared_intensity_information({two.source, two.target, two.pairs, pose}, model, num_threads);
     };
     EXPECT_LE(relative_difference(shared(alike, 1), linearize(alike, pose, model).H), 1e-5);
     EXPECT_LE(shared(unlike, 1).trace(), 0.1 * linearize(unlike, pose, model).H.trace());
@@ -209,7 +209,7 @@ TEST(Intensity, PairsWithSomethingUnknownDoNotCount) {
   EXPECT_LT(fewer, 200);
   two.target.intensity_gradients[two.pairs[1].target].setZero();
   EXPECT_LT(left(), fewer);
-  EXPECT_TRUE(std::isnan(intensity_residuals(two.source, two.target, two.pairs, Rigid3{}, 1)[0]));
+  EXPECT_TRUE(std::isnan(intensity_residuals({two.source, two.target, two.pairs, Rigid3{}}, 1)[0]));
   EXPECT_TRUE(linearize(two, Rigid3{}, {1.0}).H.allFinite());
 }
 
@@ -222,7 +222,7 @@ TEST(Intensity, WhereNoPairIsKnownNothingIsHeld) {
   EXPECT_EQ(equations.H, Mat6d(Mat6d::Zero()));
   EXPECT_EQ(equations.b, Vec6d(Vec6d::Zero()));
   EXPECT_EQ(equations.num_intensity_pairs, 0);
-  EXPECT_EQ(shared_intensity_information(two.source, two.target, two.pairs, {}, {200.0, 30.0}, 1),
+  EXPECT_EQ(shared_intensity_information({two.source, two.target, two.pairs, {}}, {200.0, 30.0}, 1),
             Mat6d(Mat6d::Zero()));
 }
 
@@ -235,8 +235,8 @@ TEST(Intensity, WithoutItOnEitherSideThereIsNone) {
     if (without == 2) bare.target.intensity_gradients.clear();
     EXPECT_FALSE(compares_intensities(bare.source, bare.target));
     const Objective with{augmented_information(), 100.0, 50.0, {1.0}}, geometry{augmented_information(), 100.0, 50.0};
-    const NormalEquations both = augicp::linearize(bare.source, bare.target, bare.pairs, Rigid3{}, with, 1);
-    const NormalEquations alone = augicp::linearize(bare.source, bare.target, bare.pairs, Rigid3{}, geometry, 1);
+    const NormalEquations both = augicp::linearize({bare.source, bare.target, bare.pairs, Rigid3{}}, with, 1);
+    const NormalEquations alone = augicp::linearize({bare.source, bare.target, bare.pairs, Rigid3{}}, geometry, 1);
     EXPECT_EQ(both.H, alone.H);
     EXPECT_EQ(both.cost, alone.cost);
     EXPECT_EQ(both.num_intensity_pairs, 0);

@@ -87,32 +87,29 @@ void for_each_batch(const PairReader& reader, std::span<const Correspondence> pa
 
 }  // namespace
 
-NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                          const Rigid3& target_from_source, const Objective& objective, int num_threads) {
-  const PairReader reader(source, target, target_from_source, objective.information);
+NormalEquations linearize(const PosedPairs& posed, const Objective& objective, int num_threads) {
+  const PairReader reader(posed, objective.information);
   const double unit = reader.information_unit();
   const Kernels kernels = kernels_of(objective, unit);
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     BlockSums block;
     PairTerms terms;
-    for_each_batch(reader, pairs, begin, end, [&](std::size_t, std::size_t, const PairBatch& batch) {
+    for_each_batch(reader, posed.pairs, begin, end, [&](std::size_t, std::size_t, const PairBatch& batch) {
       terms_of(batch, kernels.chi2, kernels.direction_chi2, terms);
       block.add(terms);
     });
     return block;
   };
-  const BlockSums sums = blocked_sum<BlockSums>(pairs.size(), num_threads, sums_of, kLightBlockSize);
+  const BlockSums sums = blocked_sum<BlockSums>(posed.size(), num_threads, sums_of, kLightBlockSize);
   NormalEquations equations = equations_of(sums, unit);
-  equations.num_pairs = static_cast<std::int64_t>(pairs.size());
-  if (objective.intensity.information > 0.0)
-    equations += linearize_intensity(source, target, pairs, target_from_source, objective.intensity, num_threads);
+  equations.num_pairs = static_cast<std::int64_t>(posed.size());
+  if (objective.intensity.information > 0.0) equations += linearize_intensity(posed, objective.intensity, num_threads);
   return equations;
 }
 
-std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                       std::span<const std::size_t> begin, const Rigid3& target_from_source,
+std::vector<Vec6d> gradients_of_groups(const PosedPairs& posed, std::span<const std::size_t> begin,
                                        const Objective& objective, int num_threads) {
-  const PairReader reader(source, target, target_from_source, objective.information);
+  const PairReader reader(posed, objective.information);
   const double unit = reader.information_unit();
   const Kernels kernels = kernels_of(objective, unit);
   std::vector<Vec6d> gradients(begin.size() - 1, Vec6d::Zero());
@@ -127,11 +124,11 @@ std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target,
           gradients[group][row] += unit * static_cast<double>(terms.term[PairTerms::kBt + row][k]);
       }
     };
-    for_each_batch(reader, pairs, begin[first_group], begin[end_group], add);
+    for_each_batch(reader, posed.pairs, begin[first_group], begin[end_group], add);
     if (!(objective.intensity.information > 0.0)) return;
     for (group = first_group; group < end_group; ++group) {
-      const auto of_group = pairs.subspan(begin[group], begin[group + 1] - begin[group]);
-      gradients[group] += linearize_intensity(source, target, of_group, target_from_source, objective.intensity, 1).b;
+      const auto of_group = posed.pairs.subspan(begin[group], begin[group + 1] - begin[group]);
+      gradients[group] += linearize_intensity(posed.with(of_group), objective.intensity, 1).b;
     }
   };
   constexpr std::size_t kGroupsPerBlock = 256;
@@ -139,15 +136,14 @@ std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target,
   return gradients;
 }
 
-PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                       const Rigid3& target_from_source, const InformationModel& information, int num_threads) {
-  const PairReader reader(source, target, target_from_source, information);
+PairChi2 chi2_of_pairs(const PosedPairs& posed, const InformationModel& information, int num_threads) {
+  const PairReader reader(posed, information);
   const double unit = reader.information_unit();
   const auto in_unit = [&](float number) { return in_float(unit * static_cast<double>(number), 0.0); };
-  PairChi2 chi2{std::vector<float>(pairs.size()), std::vector<float>(pairs.size())};
+  PairChi2 chi2{std::vector<float>(posed.size()), std::vector<float>(posed.size())};
   const auto write_chi2 = [&](std::size_t begin, std::size_t end) {
     BatchChi2 of_batch;
-    for_each_batch(reader, pairs, begin, end, [&](std::size_t first, std::size_t count, const PairBatch& batch) {
+    for_each_batch(reader, posed.pairs, begin, end, [&](std::size_t first, std::size_t count, const PairBatch& batch) {
       chi2_of(batch, of_batch);
       for (std::size_t k = 0; k < count; ++k) {
         chi2.position[first + k] = in_unit(of_batch.position[k]);
@@ -155,7 +151,7 @@ PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const
       }
     });
   };
-  for_each_block(pairs.size(), num_threads, write_chi2, kLightBlockSize);
+  for_each_block(posed.size(), num_threads, write_chi2, kLightBlockSize);
   return chi2;
 }
 

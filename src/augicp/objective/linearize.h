@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "augicp/cloud/correspondence.h"
+#include "augicp/cloud/posed_pairs.h"
 #include "augicp/objective/information.h"
 #include "augicp/objective/intensity.h"
 
@@ -32,13 +32,11 @@ struct Objective {
 // extents of zero, as those of files do: what is made of errors is float. A linear part counts where both points of a
 // pair have the same structure; a tangent, and a normal unless both sensors' places are known, is compared without its
 // sign. Omega is scaled by the target point's weight where it has one. Sums are the same for any number of threads.
-NormalEquations linearize(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                          const Rigid3& target_from_source, const Objective& objective, int num_threads);
+NormalEquations linearize(const PosedPairs& posed, const Objective& objective, int num_threads);
 
 // b of groups of pairs, each as linearize() has it but for the last digits: those of pairs[begin[g]], ...,
 // pairs[begin[g + 1] - 1]. begin ascends from the first group's to the end of the last, and has at least one entry.
-std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                                       std::span<const std::size_t> begin, const Rigid3& target_from_source,
+std::vector<Vec6d> gradients_of_groups(const PosedPairs& posed, std::span<const std::size_t> begin,
                                        const Objective& objective, int num_threads);
 
 // The two parts of chi2 = e^T Omega e of every pair, before the robust weight. The direction's is negative where it is
@@ -46,7 +44,6 @@ std::vector<Vec6d> gradients_of_groups(const Cloud& source, const Cloud& target,
 struct PairChi2 {
   std::vector<float> position, direction;
 };
-PairChi2 chi2_of_pairs(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                       const Rigid3& target_from_source, const InformationModel& information, int num_threads);
+PairChi2 chi2_of_pairs(const PosedPairs& posed, const InformationModel& information, int num_threads);
 
 }  // namespace augicp

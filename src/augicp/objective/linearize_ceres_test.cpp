@@ -140,7 +140,7 @@ TEST(LinearizeAgainstCeres, CostGradientAndMatrixAgree) {
       for (double angle_rad : {0.0, 0.1, 2.0, 3.1}) {
         const Rigid3 pose = testing::random_motion(generator, angle_rad, 0.5);
         const Objective objective{model, kernel_chi2};
-        const NormalEquations ours = linearize(source, target, pairs, pose, objective, 1);
+        const NormalEquations ours = linearize({source, target, pairs, pose}, objective, 1);
         CeresProblem problem(source, target, pairs, pose, objective);
         const Evaluation theirs = problem.evaluate(), whole = problem.evaluate_by_ceres();
         // Float directions have unit length to 1e-7 only.

@@ -47,7 +47,7 @@ TwoClouds random_pairs(std::size_t num_pairs, unsigned seed) {
 }
 
 NormalEquations linearize(const TwoClouds& two, const Rigid3& pose, const Objective& objective, int num_threads = 1) {
-  return augicp::linearize(two.source, two.target, two.pairs, pose, objective, num_threads);
+  return augicp::linearize({two.source, two.target, two.pairs, pose}, objective, num_threads);
 }
 
 std::vector<Rigid3> some_poses() {
@@ -89,7 +89,7 @@ TEST(Linearize, CostIsThePlainOne) {
     for (double kernel_chi2 : {kInfinity, 100.0, 0.5, 1e-3})
       for (const Rigid3& pose : some_poses()) {
         const Objective objective{model, kernel_chi2, kernel_chi2 / 3.0};
-        const double expected = plain_cost(two.source, two.target, two.pairs, pose, objective);
+        const double expected = plain_cost({two.source, two.target, two.pairs, pose}, objective);
         EXPECT_NEAR(linearize(two, pose, objective).cost, expected, kFloat * expected)
             << name << ", K = " << kernel_chi2;
       }
@@ -102,7 +102,7 @@ TEST(Linearize, VectorIsTheGradientOfTheCost) {
       for (const Rigid3& pose : some_poses()) {
         const Objective objective{model, kernel_chi2, kernel_chi2 / 3.0};
         const auto cost = [&](const Rigid3& moved) {  // the plain one, whose digits bear differences
-          return plain_cost(two.source, two.target, two.pairs, moved, objective);
+          return plain_cost({two.source, two.target, two.pairs, moved}, objective);
         };
         const Vec6d numeric = testing::numeric_gradient(cost, pose);
         EXPECT_LE(relative_difference(linearize(two, pose, objective).b, numeric), kFloat)
@@ -230,7 +230,7 @@ TEST(Linearize, ChiSquareOfAHandMadePair) {
   two.source.structures = two.target.structures = {Structure::Planar};
   two.target.points[0] = {0.1f, 0.2f, 0.0f};
   two.pairs = {{0, 0}};
-  const PairChi2 chi2 = chi2_of_pairs(two.source, two.target, two.pairs, Rigid3{}, augmented_information(), 1);
+  const PairChi2 chi2 = chi2_of_pairs({two.source, two.target, two.pairs, Rigid3{}}, augmented_information(), 1);
   EXPECT_NEAR(chi2.position[0], 0.1 * 0.1 * 1000.0 + 0.2 * 0.2, 1e-5);
   EXPECT_NEAR(chi2.direction[0], 1.0 + 1000.0, 1e-3);
 }
@@ -238,7 +238,7 @@ TEST(Linearize, ChiSquareOfAHandMadePair) {
 TEST(Linearize, PairsOfDifferentStructureHaveNoLinearPart) {
   const TwoClouds two = random_pairs(200, 9);
   const Rigid3 pose = some_poses()[2];
-  const PairChi2 chi2 = chi2_of_pairs(two.source, two.target, two.pairs, pose, augmented_information(), 1);
+  const PairChi2 chi2 = chi2_of_pairs({two.source, two.target, two.pairs, pose}, augmented_information(), 1);
   for (std::size_t k = 0; k < two.pairs.size(); ++k) {
     const Structure of_source = two.source.structures[two.pairs[k].source];
     const Structure of_target = two.target.structures[two.pairs[k].target];
@@ -342,7 +342,7 @@ TEST(Linearize, NumbersOutOfTheRangeOfFloatAreHeld) {
     EXPECT_NEAR(equations.H(0, 0) / scale, 1.0, 1e-7);
     EXPECT_NEAR(equations.cost / scale, 0.125, 1e-7);
     const TwoClouds perfect = one_pair(0.0);
-    EXPECT_EQ(chi2_of_pairs(perfect.source, perfect.target, perfect.pairs, Rigid3{}, model, 1).position[0], 0.0f);
+    EXPECT_EQ(chi2_of_pairs({perfect.source, perfect.target, perfect.pairs, Rigid3{}}, model, 1).position[0], 0.0f);
   }
   const NormalEquations hardly = linearize(one_pair(3.0), Rigid3{}, {point_information(), 1e-45, 1e-45});
   EXPECT_GT(hardly.H(0, 0), 0.0);
@@ -353,7 +353,7 @@ TEST(Linearize, ChiSquareOfPairsAddsUpToTheCost) {
   const TwoClouds two = random_pairs(5000, 14);
   const Rigid3 pose = some_poses()[2];
   for (const auto& [name, model] : kModels) {
-    const PairChi2 chi2 = chi2_of_pairs(two.source, two.target, two.pairs, pose, model, 2);
+    const PairChi2 chi2 = chi2_of_pairs({two.source, two.target, two.pairs, pose}, model, 2);
     double sum = 0.0;
     for (std::size_t k = 0; k < two.pairs.size(); ++k)
       sum += static_cast<double>(chi2.position[k]) + std::max(0.0, static_cast<double>(chi2.direction[k]));
@@ -378,13 +378,14 @@ TEST(Linearize, SameBitsForAnyNumberOfThreads) {
     const Rigid3 pose = some_poses()[2];
     const Objective objective{augmented_information(), 100.0};
     const NormalEquations expected = linearize(two, pose, objective, 1);
-    const PairChi2 chi2 = chi2_of_pairs(two.source, two.target, two.pairs, pose, objective.information, 1);
+    const PairChi2 chi2 = chi2_of_pairs({two.source, two.target, two.pairs, pose}, objective.information, 1);
     for (int num_threads = 2; num_threads <= 8; ++num_threads) {
       const NormalEquations equations = linearize(two, pose, objective, num_threads);
       EXPECT_EQ(equations.H, expected.H);
       EXPECT_EQ(equations.b, expected.b);
       EXPECT_EQ(equations.cost, expected.cost);
-      const PairChi2 again = chi2_of_pairs(two.source, two.target, two.pairs, pose, objective.information, num_threads);
+      const PairChi2 again =
+          chi2_of_pairs({two.source, two.target, two.pairs, pose}, objective.information, num_threads);
       EXPECT_EQ(again.position, chi2.position);
       EXPECT_EQ(again.direction, chi2.direction);
     }
@@ -397,7 +398,7 @@ TEST(Linearize, NoPairsGiveZeros) {
   EXPECT_TRUE(equations.b.isZero(0.0));
   EXPECT_EQ(equations.cost, 0.0);
   EXPECT_EQ(equations.num_pairs, 0);
-  EXPECT_TRUE(chi2_of_pairs({}, {}, {}, Rigid3{}, augmented_information(), 1).position.empty());
+  EXPECT_TRUE(chi2_of_pairs({{}, {}, {}, Rigid3{}}, augmented_information(), 1).position.empty());
 }
 
 TEST(Linearize, BadKernelIsRefused) {

@@ -84,13 +84,13 @@ void clear_behind(std::size_t count, PairBatch& batch) {
 
 }  // namespace
 
-PairReader::PairReader(const Cloud& source, const Cloud& target, const Rigid3& target_from_source,
-                       const InformationModel& information)
-    : source_(source),
-      target_(target),
+PairReader::PairReader(const PosedPairs& posed, const InformationModel& information)
+    : source_(posed.source),
+      target_(posed.target),
       information_unit_(unit_of(information)),
-      model_(pair_model(target_from_source, information, information_unit_, normals_have_signs(source, target))),
-      compares_directions_(source.has_directions() && target.has_directions()) {}
+      model_(pair_model(posed.target_from_source, information, information_unit_,
+                        normals_have_signs(posed.source, posed.target))),
+      compares_directions_(posed.source.has_directions() && posed.target.has_directions()) {}
 
 void PairReader::read(std::span<const Correspondence> pairs, PairBatch& batch) const {
   IndexRuns of_source, of_target;

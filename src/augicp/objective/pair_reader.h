@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "augicp/cloud/correspondence.h"
+#include "augicp/cloud/posed_pairs.h"
 #include "augicp/objective/information.h"
 #include "augicp/objective/pair_batch.h"
 
@@ -31,11 +31,10 @@ struct PairModel {
 
 class PairReader {
  public:
-  // The clouds must outlive it. target_from_source maps between the clouds' points, without their origins.
-  PairReader(const Cloud& source, const Cloud& target, const Rigid3& target_from_source,
-             const InformationModel& information);
+  // The clouds must outlive it. Of `posed` only the clouds and the pose are kept.
+  PairReader(const PosedPairs& posed, const InformationModel& information);
 
-  // At most kPairsPerBatch pairs under the pose.
+  // At most kPairsPerBatch pairs of these clouds, under the pose.
   void read(std::span<const Correspondence> pairs, PairBatch& batch) const;
 
   double information_unit() const { return information_unit_; }

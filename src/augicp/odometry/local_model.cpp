@@ -18,20 +18,16 @@ struct ExtendedPoint {
 // Reads the points of a cloud moved into another frame.
 class MovedPoints {
  public:
-  MovedPoints(const Cloud& cloud, const Rigid3& b_from_a)
-      : cloud_(cloud),
-        rotation_(b_from_a.rotation.toRotationMatrix().cast<float>()),
-        translation_(b_from_a.translation.cast<float>()) {}
+  MovedPoints(const Cloud& cloud, const Rigid3& b_from_a) : cloud_(cloud), b_from_a_(b_from_a) {}
 
   ExtendedPoint operator[](std::int32_t i) const {
-    return {rotation_ * cloud_.points[i] + translation_, rotation_ * cloud_.directions[i], cloud_.structures[i],
+    return {b_from_a_ * cloud_.points[i], b_from_a_.rotation * cloud_.directions[i], cloud_.structures[i],
             cloud_.weights.empty() ? 1.0f : cloud_.weights[i]};
   }
 
  private:
   const Cloud& cloud_;
-  Eigen::Matrix3f rotation_;
-  Vec3f translation_;
+  Rigid3f b_from_a_;
 };
 
 void append(LocalModel& model, const ExtendedPoint& point, float weight, std::size_t pixel) {

@@ -144,8 +144,8 @@ Scan Odometry::register_frame(const Scan& frame, const RegistrationOptions& opti
     if (start_frame_ && pass > 0)
       straight_start = model_of(straightened(*start_frame_, report.stamp_s, report.world_from_camera));
     const AlignResult result =
-        register_prepared(straight, (straight_start ? straight_start : reference_)->scan,
-                          inverse(world_from_reference_) * report.world_from_camera, lengths, options);
+        register_prepared({straight, (straight_start ? straight_start : reference_)->scan, lengths},
+                          inverse(world_from_reference_) * report.world_from_camera, options);
     report.registration = result.status;
     report.iterations += result.iterations;
     report.num_pairs = result.num_pairs;

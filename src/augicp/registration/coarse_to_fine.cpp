@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "augicp/registration/judge.h"
+#include "augicp/registration/scan_match.h"
 #include "augicp/registration/start/start_search.h"
 #include "augicp/registration/thin_scan.h"
 #include "augicp/shutter/readout_motion.h"
@@ -13,7 +14,7 @@ namespace augicp {
 namespace {
 
 // Columns of the images that the motion during a readout is found on. Its few numbers need no more.
-constexpr int kThinnedColumns = 160;
+constexpr int kCoarseColumns = 160;
 
 // The motion during a readout and the pose depend on each other; on fr1, a third round changes little.
 constexpr int kReadoutRounds = 2;
@@ -23,68 +24,69 @@ struct Start {
   ReadoutMotion readout;
 };
 
-// What the loop at full resolution would do, on thinned scans. False where they hold no pose, or leave a part of it
-// open: what no data hold is held at the guess, which only the last loop can do, so that no step before it may move it.
-bool align_thinned(const Scan& source, const Scan& target, const Lengths& lengths, const RegistrationOptions& options,
-                   Rigid3& target_from_source, std::vector<Correspondence>& pairs) {
-  const ScanMatch level(source, target, lengths, options);
-  const AlignResult result = level.align(target_from_source, level.usual_options());
-  if (!has_pose(result.status) || result.status == AlignStatus::Degenerate) return false;
-  target_from_source = result.target_from_source;
-  pairs = level.pairs(target_from_source);
-  return true;
+// What the loop at full resolution would do, on coarse scans. Absent where they leave a part of the pose free: what no
+// data constrain stays at the guess, which only the last loop can do, so that no step before it may move it.
+std::optional<AlignResult> align_coarse(const ScanPair& coarse, const Rigid3& start,
+                                        const RegistrationOptions& options) {
+  const ScanMatch match(coarse, options);
+  AlignResult result = match.align(start, match.usual_options());
+  if (!has_pose(result.status) || result.status == AlignStatus::Degenerate) return std::nullopt;
+  result.pairs = match.pairs(result.target_from_source);
+  return result;
 }
 
-// The start made better on thinned images, as long as they hold it.
-void improve_thinned(const Scan& source, const Scan& target, bool bends, const Lengths& lengths,
-                     const RegistrationOptions& options, Start& start) {
-  std::vector<Correspondence> pairs;
-  if (!align_thinned(source, target, lengths, options, start.target_from_source, pairs) || !bends) return;
-  SkewedPair scans{source, target, source, target};
+// The start improved on coarse images, as long as they constrain it.
+void improve(const PreparedPair& coarse, bool bends, const RegistrationOptions& options, Start& start) {
+  std::optional<AlignResult> found = align_coarse(coarse, start.target_from_source, options);
+  if (!found) return;
+  start.target_from_source = found->target_from_source;
+  if (!bends) return;
+  SkewedPair scans{coarse.source, coarse.target, coarse.source, coarse.target};
   for (int round = 0; round < kReadoutRounds; ++round) {
-    start.readout = improved(start.readout, scans, pairs, start.target_from_source);
-    scans.straight_source = without_skew(source, start.readout.source, options.num_threads);
-    scans.straight_target = without_skew(target, start.readout.target, options.num_threads);
-    if (!align_thinned(scans.straight_source, scans.straight_target, lengths, options, start.target_from_source, pairs))
-      return;
+    start.readout = improved(start.readout, scans, found->pairs, start.target_from_source);
+    scans.straight_source = without_skew(coarse.source, start.readout.source, options.num_threads);
+    scans.straight_target = without_skew(coarse.target, start.readout.target, options.num_threads);
+    found =
+        align_coarse({scans.straight_source, scans.straight_target, coarse.lengths}, start.target_from_source, options);
+    if (!found) return;
+    start.target_from_source = found->target_from_source;
   }
 }
 
-AlignResult at_full_resolution(const Scan& source, const Scan& target, const Start& start, const Lengths& lengths,
-                               const RegistrationOptions& options) {
-  const bool projective = is_projective(target, options.association);
-  const std::unique_ptr<Matcher> matcher = matcher_for(target, projective);
-  const AlignOptions align_by = align_options(lengths, projective, options);
-  return judged(align(source.cloud, *matcher, start.target_from_source, align_by), source, target, *matcher,
-                start.guess, lengths, align_by);
+AlignResult at_full_resolution(const ScanPair& pair, const Start& start, const RegistrationOptions& options) {
+  const bool projective = is_projective(pair.target, options.association);
+  const std::unique_ptr<ScanMatcher> matcher = matcher_for(pair.target, projective);
+  const AlignOptions align_by = align_options(pair.lengths, projective, options);
+  return judged(align(pair.source.cloud, *matcher, start.target_from_source, align_by), pair, *matcher, start.guess,
+                align_by);
 }
+
+AlignResult without_bend(const ScanPair& pair, const Start& start, const RegistrationOptions& options) {
+  const Scan source = without_skew(pair.source, start.readout.source, options.num_threads),
+             target = without_skew(pair.target, start.readout.target, options.num_threads);
+  return at_full_resolution({source, target, pair.lengths}, start, options);
+}
+
+bool is_large(const Scan& image) { return step_for(image, kCoarseColumns) > 1; }
 
 }  // namespace
 
-AlignResult coarse_to_fine(const Scan& source, const Scan& target, const Rigid3& guess_target_from_source,
-                           const Lengths& lengths, const RegistrationOptions& options) {
+AlignResult coarse_to_fine(const ScanPair& pair, const Rigid3& guess_target_from_source,
+                           const RegistrationOptions& options) {
   const Start guess{guess_target_from_source, guess_target_from_source, {}};
-  if (options.preset == Preset::Paper) return at_full_resolution(source, target, guess, lengths, options);
+  if (options.preset == Preset::Paper) return at_full_resolution(pair, guess, options);
   Start start = guess;
-  if (options.search)
-    start.target_from_source = search_start(source, target, guess_target_from_source, lengths, options);
-  const bool has_images = source.view && is_projective(target, options.association);
+  if (options.search) start.target_from_source = search_start(pair, guess_target_from_source, options);
+  const bool has_images = pair.source.view && is_projective(pair.target, options.association);
   const bool bends =
-      has_images && options.rolling_shutter && source.view->rolling_shutter && target.view->rolling_shutter;
-  const bool is_large =
-      has_images && std::max(step_for(source, kThinnedColumns), step_for(target, kThinnedColumns)) > 1;
-  if (bends || (options.coarse_to_fine && is_large))
-    improve_thinned(coarser(source, kThinnedColumns, 1.0, lengths), coarser(target, kThinnedColumns, 1.0, lengths),
-                    bends, lengths, options, start);
-  const int num_threads = options.num_threads;
-  const AlignResult result =
-      bends ? at_full_resolution(without_skew(source, start.readout.source, num_threads),
-                                 without_skew(target, start.readout.target, num_threads), start, lengths, options)
-            : at_full_resolution(source, target, start, lengths, options);
-  // What was found on the way does not hold: say what becomes of the guess.
+      has_images && options.rolling_shutter && pair.source.view->rolling_shutter && pair.target.view->rolling_shutter;
+  const bool begins_coarse = has_images && options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
+  if (bends || begins_coarse) improve(coarser(pair, kCoarseColumns, 1.0), bends, options, start);
+  const AlignResult result = bends ? without_bend(pair, start, options) : at_full_resolution(pair, start, options);
+  // What was found on the way may fail at full resolution: then the result is what becomes of the guess.
   const bool was_the_guess = !bends && start.target_from_source.matrix() == guess_target_from_source.matrix();
   if (has_pose(result.status) || was_the_guess) return result;
-  return at_full_resolution(source, target, guess, lengths, options);
+  return at_full_resolution(pair, guess, options);
 }
 
 }  // namespace augicp

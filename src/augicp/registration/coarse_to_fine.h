@@ -2,13 +2,15 @@
 #pragma once
 
 #include "augicp/registration/options.h"
+#include "augicp/registration/prepared_pair.h"
 
 namespace augicp {
 
-// The motion between two prepared scans, neither of them empty: from a guess to a start (search_start), on thinned
-// images to a pose and the bend of rolling shutters (ReadoutMotion), and at full resolution to the result. What of this
-// is done is up to the options; with none of it, this is align(). Iterations and history are those at full resolution.
-AlignResult coarse_to_fine(const Scan& source, const Scan& target, const Rigid3& guess_target_from_source,
-                           const Lengths& lengths, const RegistrationOptions& options);
+// The motion between two prepared scans, neither of them empty: from a guess to a start (search_start), on coarse
+// images to a pose and the motion during the readout of rolling shutters (ReadoutMotion), and at full resolution to the
+// judged result. Options switch each part off; with none of them, this is align() and the verdict. Iterations and
+// history are those at full resolution.
+AlignResult coarse_to_fine(const ScanPair& pair, const Rigid3& guess_target_from_source,
+                           const RegistrationOptions& options);
 
 }  // namespace augicp

@@ -19,7 +19,8 @@ AlignResult noisy(const testing::Scene& scene, unsigned seed, bool as_clouds = f
   const Rigid3& place = scene.world_from_camera;
   const Scan source = testing::noisy_view(scene, place * kMotion, 2 * seed + 1, 80);
   const Scan target = testing::noisy_view(scene, place, 2 * seed + 2, 80);
-  return as_clouds ? register_scans(scan_of(source.cloud), scan_of(target.cloud)) : register_scans(source, target);
+  return as_clouds ? register_scans(scan_of(source.cloud), scan_of(target.cloud)).result
+                   : register_scans(source, target).result;
 }
 
 TEST(Covariance, IsSymmetricAndPositive) {

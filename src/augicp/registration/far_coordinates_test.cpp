@@ -36,7 +36,7 @@ testing::ScanPair room_clouds() {
 AlignResult registered(const Scan& source, const Scan& target) {
   RegistrationOptions options;
   options.search = false;  // the guess is near enough
-  return register_scans(source, target, Rigid3{}, options);
+  return register_scans(source, target, Rigid3{}, options).result;
 }
 
 // The farthest that the two poses bring a point of the cloud apart, metres: far from zero a pose's own translation says

@@ -55,7 +55,8 @@ AlignResult aligned(const testing::Scene& scene, Brightness brightness, bool int
   RegistrationOptions options;
   options.intensity = intensity;
   return register_scans(seen(scene, place * kMotion, brightness, {offset, kGreyNoise, 2}),
-                        seen(scene, place, brightness, {}), {}, options);
+                        seen(scene, place, brightness, {}), {}, options)
+      .result;
 }
 
 TEST(IntensityChannel, ATexturedWallIsHeldAndABareOneIsNot) {
@@ -80,10 +81,10 @@ TEST(IntensityChannel, ATexturedWallOfBareCloudsIsHeldToo) {
              target = scan_of(seen(wall, place, blots, {}).cloud);
   RegistrationOptions options;
   options.intensity = true;
-  const AlignResult held = register_scans(source, target, {}, options);
+  const AlignResult held = register_scans(source, target, {}, options).result;
   EXPECT_GT(held.num_intensity_pairs, held.num_pairs / 10);
   EXPECT_THAT(held.target_from_source, testing::NearPose(kMotion, 0.005, 0.01));
-  EXPECT_EQ(register_scans(source, target).status, AlignStatus::Degenerate);
+  EXPECT_EQ(register_scans(source, target).result.status, AlignStatus::Degenerate);
 }
 
 TEST(IntensityChannel, AnotherExposureDoesNotMoveTheWall) {
@@ -101,10 +102,10 @@ TEST(IntensityChannel, OffItChangesNoBit) {
   const testing::Scene scene = testing::room_corner();
   const Rigid3& place = scene.world_from_camera;
   Scan source = seen(scene, place * kMotion, blots, {}), target = seen(scene, place, blots, {});
-  const AlignResult off = register_scans(source, target);
+  const AlignResult off = register_scans(source, target).result;
   source.cloud.intensities.clear();
   target.cloud.intensities.clear();
-  const AlignResult without = register_scans(source, target);
+  const AlignResult without = register_scans(source, target).result;
   EXPECT_EQ(off.target_from_source.matrix(), without.target_from_source.matrix());
   EXPECT_EQ(off.information, without.information);
   EXPECT_EQ(off.num_intensity_pairs, 0);
@@ -118,7 +119,8 @@ TEST(IntensityChannel, WhereOneScanHasNoneItIsAbsentAndSaysSo) {
   source.cloud.intensities.clear();
   RegistrationOptions with;
   with.intensity = true;
-  const AlignResult asked = register_scans(source, target, {}, with), not_asked = register_scans(source, target);
+  const AlignResult asked = register_scans(source, target, {}, with).result,
+                    not_asked = register_scans(source, target).result;
   EXPECT_EQ(asked.target_from_source.matrix(), not_asked.target_from_source.matrix());
   EXPECT_EQ(asked.num_intensity_pairs, 0);
 }
@@ -132,7 +134,7 @@ TEST(IntensityChannel, SameBitsForAnyNumberOfThreads) {
     RegistrationOptions options;
     options.intensity = true;
     options.num_threads = num_threads;
-    poses.push_back(register_scans(source, target, {}, options).target_from_source.matrix());
+    poses.push_back(register_scans(source, target, {}, options).result.target_from_source.matrix());
     EXPECT_EQ(poses.back(), poses.front());
   }
 }

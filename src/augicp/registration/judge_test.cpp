@@ -40,11 +40,10 @@ std::vector<Pair> pairs_without_overlap() {
 
 Evidence evidence_at(const Pair& pair, const Rigid3& pose) {
   const RegistrationOptions options;
-  const Lengths lengths = lengths_for(pair.source, pair.target, options);
-  const Scan source = prepare(pair.source, lengths, options), target = prepare(pair.target, lengths, options);
-  const auto matcher = matcher_for(target, target.view.has_value());
-  return gather_evidence(source, target, *matcher, pose, lengths,
-                         align_options(lengths, target.view.has_value(), options));
+  const PreparedPair prepared = prepare_pair(pair.source, pair.target, options);
+  const bool projective = prepared.target.view.has_value();
+  const auto matcher = matcher_for(prepared.target, projective);
+  return gather_evidence(prepared, *matcher, pose, align_options(prepared.lengths, projective, options));
 }
 
 TEST(Judge, TheRightPoseHasWitnessesBothWays) {
@@ -79,18 +78,18 @@ TEST(Judge, SwappingChangesNothing) {
 
 TEST(Judge, RegistrationOfANearPairIsTrusted) {
   const Pair pair = near_pair();
-  const AlignResult images = register_scans(pair.source, pair.target);
+  const AlignResult images = register_scans(pair.source, pair.target).result;
   EXPECT_EQ(images.status, AlignStatus::Converged);
   ASSERT_TRUE(images.evidence);
   EXPECT_TRUE(images.doubts.empty());
-  const AlignResult clouds = register_scans(as_cloud(pair.source), as_cloud(pair.target));
+  const AlignResult clouds = register_scans(as_cloud(pair.source), as_cloud(pair.target)).result;
   EXPECT_EQ(clouds.status, AlignStatus::Converged);
   EXPECT_FALSE(clouds.evidence->source_in_target.knows_free_space);
 }
 
 TEST(Judge, WithoutCommonSurfaceNothingIsTrusted) {
   for (const Pair& pair : pairs_without_overlap())
-    EXPECT_NE(register_scans(pair.source, pair.target).status, AlignStatus::Converged);
+    EXPECT_NE(register_scans(pair.source, pair.target).result.status, AlignStatus::Converged);
 }
 
 // A corner without anything in it is found again from afar, but any other would be too; only a near guess tells which
@@ -100,13 +99,13 @@ TEST(Judge, BareCornersAreTrustedNearTheGuessOnly) {
   const Rigid3 from = testing::look_at({0.8, 2.3, 1.7}, {0.4, 0.0, 0.3}), to = scene.world_from_camera;
   const Rigid3 motion = inverse(to) * from;
   const Scan source = testing::noisy_view(scene, from, 1), target = testing::noisy_view(scene, to, 2);
-  const AlignResult far = register_scans(source, target);
+  const AlignResult far = register_scans(source, target).result;
   EXPECT_THAT(far.target_from_source, testing::NearPose(motion, 0.02, 0.05));
   EXPECT_LT(far.evidence->beyond_planes, 0.0025);
   EXPECT_GT(far.evidence->moved, 0.5);
   EXPECT_EQ(far.doubts, std::vector<Doubt>{Doubt::BarePlanes});
   const AlignResult near =
-      register_scans(source, target, motion * Rigid3{rotation_exp({0.0, 0.05, 0.0}), {0.02, 0.0, 0.0}});
+      register_scans(source, target, motion * Rigid3{rotation_exp({0.0, 0.05, 0.0}), {0.02, 0.0, 0.0}}).result;
   EXPECT_THAT(near.target_from_source, testing::NearPose(motion, 0.02, 0.05));
   EXPECT_EQ(near.status, AlignStatus::Converged);
 }
@@ -115,17 +114,17 @@ TEST(Judge, BareCornersAreTrustedNearTheGuessOnly) {
 TEST(Judge, FarApartIsNoOverlap) {
   const Pair pair = near_pair();
   const Rigid3 far{Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}};
-  EXPECT_EQ(register_scans(pair.source, pair.target, far).status, AlignStatus::NoOverlap);
-  EXPECT_EQ(register_scans(as_cloud(pair.source), as_cloud(pair.target), far).status, AlignStatus::NoOverlap);
+  EXPECT_EQ(register_scans(pair.source, pair.target, far).result.status, AlignStatus::NoOverlap);
+  EXPECT_EQ(register_scans(as_cloud(pair.source), as_cloud(pair.target), far).result.status, AlignStatus::NoOverlap);
 }
 
 TEST(Judge, ThreadsGiveTheSameEvidence) {
   const Pair pair = near_pair();
   RegistrationOptions options;
   options.num_threads = 1;
-  const Evidence one = *register_scans(pair.source, pair.target, {}, options).evidence;
+  const Evidence one = *register_scans(pair.source, pair.target, {}, options).result.evidence;
   options.num_threads = 4;
-  const Evidence four = *register_scans(pair.source, pair.target, {}, options).evidence;
+  const Evidence four = *register_scans(pair.source, pair.target, {}, options).result.evidence;
   EXPECT_EQ(one.source_in_target.count, four.source_in_target.count);
   EXPECT_EQ(one.target_in_source.count, four.target_in_source.count);
   EXPECT_EQ(one.residuals.point.median, four.residuals.point.median);

@@ -53,6 +53,15 @@ void estimate_intensity_gradients(Scan& scan, const Lengths& lengths, int num_th
     estimate_intensity_gradients(scan.cloud, lengths.radius, num_threads);
 }
 
+// The result of the loop, whose poses are between the clouds' points, between their frames.
+AlignResult between_frames(AlignResult result, const Cloud& source, const Cloud& target) {
+  result.target_from_source = with_origins(result.target_from_source, source, target);
+  for (AlignIteration& iteration : result.history)
+    iteration.target_from_source = with_origins(iteration.target_from_source, source, target);
+  for (FreeMotion& motion : result.free_motions) motion.point += target.origin;
+  return result;
+}
+
 }  // namespace
 
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
@@ -72,8 +81,10 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   return scan;
 }
 
-ScanPair prepare_both(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options) {
-  ScanPair pair{std::move(source), std::move(target)};
+PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& options) {
+  options.check();
+  const Lengths lengths = lengths_for(source, target, options);
+  PreparedPair pair{std::move(source), std::move(target), lengths};
   RegistrationOptions of_half = options;  // of the threads
   if (options.num_threads > 1) of_half.num_threads = options.num_threads / 2;
   const auto prepare_one = [&](std::size_t which, std::size_t) {
@@ -84,23 +95,30 @@ ScanPair prepare_both(Scan source, Scan target, const Lengths& lengths, const Re
   return pair;
 }
 
-AlignResult register_prepared(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
-                              const Lengths& lengths, const RegistrationOptions& options) {
-  is_projective(target, options.association);  // throws where it cannot be
-  if (source.cloud.empty() || target.cloud.empty() || !(lengths.max_distance > 0.0)) {
+AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target_from_source,
+                              const RegistrationOptions& options) {
+  is_projective(pair.target, options.association);  // throws where it cannot be
+  const Cloud &source = pair.source.cloud, &target = pair.target.cloud;
+  if (source.empty() || target.empty() || !(pair.lengths.max_distance > 0.0)) {
     AlignResult nothing;
     nothing.target_from_source = initial_target_from_source;
     return nothing;
   }
-  return coarse_to_fine(source, target, initial_target_from_source, lengths, options);
+  const Rigid3 guess = without_origins(initial_target_from_source, source, target);
+  return between_frames(coarse_to_fine(pair, guess, options), source, target);
 }
 
-AlignResult register_scans(const Scan& source, const Scan& target, const Rigid3& initial_target_from_source,
+Registration register_pair(PreparedPair pair, const Rigid3& initial_target_from_source,
                            const RegistrationOptions& options) {
   options.check();
-  const Lengths lengths = lengths_for(source, target, options);
-  const ScanPair pair = prepare_both(source, target, lengths, options);
-  return register_prepared(pair.source, pair.target, initial_target_from_source, lengths, options);
+  AlignResult result = register_prepared(pair, initial_target_from_source, options);
+  return {std::move(result), std::move(pair)};
+}
+
+Registration register_scans(Scan source, Scan target, const Rigid3& initial_target_from_source,
+                            const RegistrationOptions& options) {
+  return register_pair(prepare_pair(std::move(source), std::move(target), options), initial_target_from_source,
+                       options);
 }
 
 }  // namespace augicp

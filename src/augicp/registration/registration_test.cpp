@@ -48,7 +48,7 @@ TEST(Registration, DepthImagesOfARoomMeet) {
   for (Preset preset : {Preset::Default, Preset::Paper}) {
     RegistrationOptions options;
     options.preset = preset;
-    const AlignResult result = register_scans(pair.source, pair.target, Rigid3{}, options);
+    const AlignResult result = register_scans(pair.source, pair.target, Rigid3{}, options).result;
     EXPECT_EQ(result.status, AlignStatus::Converged);
     EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.02));
   }
@@ -59,7 +59,7 @@ TEST(Registration, CloudsOfARoomMeetByEveryMethod) {
   for (Method method : {Method::Augmented, Method::Gicp, Method::Plane}) {
     RegistrationOptions options;
     options.method = method;
-    const AlignResult result = register_scans(pair.source, pair.target, Rigid3{}, options);
+    const AlignResult result = register_scans(pair.source, pair.target, Rigid3{}, options).result;
     EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.03)) << static_cast<int>(method);
   }
 }
@@ -67,10 +67,10 @@ TEST(Registration, CloudsOfARoomMeetByEveryMethod) {
 // One set of defaults for a bunny and a building: nothing may depend on the unit of length.
 TEST(Registration, ScaleDoesNotMatter) {
   const Pair pair = room_clouds();
-  const AlignResult expected = register_scans(pair.source, pair.target);
+  const AlignResult expected = register_scans(pair.source, pair.target).result;
   for (float factor : {1.0f / 64.0f, 32.0f}) {  // powers of two: exact in float
     const AlignResult result =
-        register_scans(scan_of(scaled(pair.source.cloud, factor)), scan_of(scaled(pair.target.cloud, factor)));
+        register_scans(scan_of(scaled(pair.source.cloud, factor)), scan_of(scaled(pair.target.cloud, factor))).result;
     Rigid3 pose = result.target_from_source;
     pose.translation /= static_cast<double>(factor);
     EXPECT_THAT(pose, NearPose(expected.target_from_source, 1e-4, 1e-4));
@@ -81,7 +81,7 @@ TEST(Registration, ScaleDoesNotMatter) {
 // robustness 16: permuting the points, and any number of threads, give the same bits.
 TEST(Registration, OrderAndThreadsDoNotMatter) {
   const Pair pair = room_clouds();
-  const AlignResult expected = register_scans(pair.source, pair.target);
+  const AlignResult expected = register_scans(pair.source, pair.target).result;
   std::vector<std::uint32_t> order(pair.source.cloud.size());
   std::iota(order.begin(), order.end(), 0u);
   std::shuffle(order.begin(), order.end(), std::mt19937(1));
@@ -89,7 +89,7 @@ TEST(Registration, OrderAndThreadsDoNotMatter) {
   for (int num_threads : {1, 2, 3, 8}) {
     RegistrationOptions options;
     options.num_threads = num_threads;
-    const AlignResult result = register_scans(shuffled, pair.target, Rigid3{}, options);
+    const AlignResult result = register_scans(shuffled, pair.target, Rigid3{}, options).result;
     EXPECT_EQ(result.target_from_source.matrix(), expected.target_from_source.matrix()) << num_threads;
   }
 }
@@ -97,13 +97,13 @@ TEST(Registration, OrderAndThreadsDoNotMatter) {
 // robustness 15: far coordinates. The pose is compared where the points are.
 TEST(Registration, FarOriginsDoNotMatter) {
   Pair pair = room_clouds();
-  const AlignResult near = register_scans(pair.source, pair.target);
+  const AlignResult near = register_scans(pair.source, pair.target).result;
   for (double offset : {1e3, 1e6, 1e7}) {
     const Vec3d shift(offset, -offset, 0.5 * offset);
     Scan source = pair.source, target = pair.target;
     source.cloud.origin = target.cloud.origin = shift;
     const Rigid3 guess{Eigen::Quaterniond::Identity(), Vec3d::Zero()};
-    const AlignResult far = register_scans(source, target, guess);
+    const AlignResult far = register_scans(source, target, guess).result;
     const Vec3d point = source.cloud.points.front().cast<double>();
     const Vec3d moved_near = near.target_from_source * point;
     EXPECT_THAT(far.target_from_source * (shift + point) - shift, testing::NearVector(moved_near, 1e-6)) << offset;
@@ -124,8 +124,9 @@ TEST(Registration, HopelessInputFails) {
     hopeless.push_back(scan_of(few));
   }
   for (const Scan& scan : hopeless) {
-    for (const AlignResult& result : {register_scans(scan, pair.target, guess),
-                                      register_scans(pair.target, scan, guess), register_scans(scan, scan, guess)}) {
+    for (const AlignResult& result :
+         {register_scans(scan, pair.target, guess).result, register_scans(pair.target, scan, guess).result,
+          register_scans(scan, scan, guess).result}) {
       EXPECT_TRUE(result.status == AlignStatus::TooFewPairs || result.status == AlignStatus::NoOverlap)
           << name_of(result.status) << " for " << scan.cloud.size() << " points";
       EXPECT_THAT(result.target_from_source, NearPose(guess, 0.0, 0.0));
@@ -152,18 +153,18 @@ TEST(Registration, PathologicalCloudsEnd) {
       {"a far outlier", cloud_of([&](std::size_t i) { return i == 0 ? far : in_room(i); }), AlignStatus::Converged},
       {"duplicates", cloud_of([&](std::size_t i) { return in_room(i < kCount / 2 ? i : 0); }), AlignStatus::Converged}};
   for (const auto& [name, scan, expected] : cases)
-    EXPECT_EQ(name_of(register_scans(scan, scan).status), name_of(expected)) << name;
+    EXPECT_EQ(name_of(register_scans(scan, scan).result.status), name_of(expected)) << name;
 }
 
 // One "no reading" at zero in a cloud of far coordinates must not cost the other points.
 TEST(Registration, AFarOutlierChangesNothing) {
   const Pair pair = room_clouds();
-  const AlignResult expected = register_scans(pair.source, pair.target);
+  const AlignResult expected = register_scans(pair.source, pair.target).result;
   for (float distance : {1e5f, 1e6f, 1e9f}) {
     Scan source = pair.source;
     source.cloud.points.emplace_back(distance, 0.0f, 0.0f);
     source.cloud.weights.push_back(1.0f);
-    EXPECT_THAT(register_scans(source, pair.target).target_from_source,
+    EXPECT_THAT(register_scans(source, pair.target).result.target_from_source,
                 NearPose(expected.target_from_source, 1e-3, 2e-3));
   }
 }
@@ -224,7 +225,7 @@ TEST(Lengths, FollowTheCloud) {
 TEST(Registration, OneWallIsDegenerate) {
   const Pinhole camera = testing::kinect_like_camera(160);
   const DepthImage wall = testing::render(testing::single_plane(), camera).depth;
-  EXPECT_EQ(register_scans(scan_of(wall, camera), scan_of(wall, camera)).status, AlignStatus::Degenerate);
+  EXPECT_EQ(register_scans(scan_of(wall, camera), scan_of(wall, camera)).result.status, AlignStatus::Degenerate);
 }
 
 TEST(RegistrationInterrupted, ByATokenThatIsAlreadyStopped) {
@@ -236,7 +237,7 @@ TEST(RegistrationInterrupted, ByATokenThatIsAlreadyStopped) {
   const Scan source = prepare(pair.source, lengths, options), target = prepare(pair.target, lengths, options);
   stop.request_stop();
   EXPECT_THROW(prepare(pair.source, lengths, options), Interrupted);
-  EXPECT_THROW(register_prepared(source, target, Rigid3{}, lengths, options), Interrupted);
+  EXPECT_THROW(register_prepared({source, target, lengths}, Rigid3{}, options), Interrupted);
   EXPECT_THROW(register_scans(pair.source, pair.target, Rigid3{}, options), Interrupted);
 }
 
@@ -251,6 +252,23 @@ TEST(RegistrationInterrupted, FromAnotherThread) {
     const std::jthread asking([&stop] { stop.request_stop(); });
     EXPECT_THROW(register_scans(pair.source, pair.target, Rigid3{}, options), Interrupted);
   }
+}
+
+// What comes back is enough to draw the result: the pairs index the prepared scans, and a prepared pair gives the same.
+TEST(Registration, TheDoorReturnsWhatItKnows) {
+  const Pair pair = room_clouds();
+  const Registration found = register_scans(pair.source, pair.target);
+  const Lengths expected = lengths_for(pair.source, pair.target, {});
+  EXPECT_EQ(found.prepared.lengths.radius, expected.radius);
+  EXPECT_EQ(static_cast<std::int64_t>(found.result.pairs.size()), found.result.num_pairs);
+  const Cloud &source = found.prepared.source.cloud, &target = found.prepared.target.cloud;
+  const Rigid3f pose(without_origins(found.result.target_from_source, source, target));
+  double sum_sq = 0.0;
+  for (const auto [j, i] : found.result.pairs)
+    sum_sq += static_cast<double>((pose * source.points.at(j) - target.points.at(i)).squaredNorm());
+  EXPECT_NEAR(std::sqrt(sum_sq / static_cast<double>(found.result.num_pairs)), found.result.rmse, 1e-6);
+  const Registration again = register_pair(found.prepared);
+  EXPECT_EQ(again.result.target_from_source.matrix(), found.result.target_from_source.matrix());
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ bool registers(const std::function<void(Cloud&, std::mt19937&)>& spoil) {
   Cloud source = pair.source.cloud;
   std::mt19937 generator(5);
   spoil(source, generator);
-  const AlignResult result = register_scans(scan_of(source), scan_of(pair.target.cloud));
+  const AlignResult result = register_scans(scan_of(source), scan_of(pair.target.cloud)).result;
   const bool is_right = is_near(result.target_from_source, pair.target_from_source);
   EXPECT_TRUE(is_right || result.status != AlignStatus::Converged);
   return is_right;
@@ -87,7 +87,7 @@ TEST(Robustness13, NormalsTurnedRound) {
   std::mt19937 generator(5);
   for (Vec3f& direction : source.cloud.directions)
     if (generator() % 2 == 0) direction = -direction;
-  EXPECT_TRUE(is_near(register_scans(source, target).target_from_source, pair.target_from_source));
+  EXPECT_TRUE(is_near(register_scans(source, target).result.target_from_source, pair.target_from_source));
 }
 
 TEST(Robustness13, OnePointOfAHundred) {

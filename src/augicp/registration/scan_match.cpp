@@ -27,37 +27,35 @@ bool is_projective(const Scan& target, Association association) {
   return target.view && association != Association::Nearest;
 }
 
-ScanMatch::ScanMatch(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options)
-    : source_(std::move(source)),
-      target_(std::move(target)),
-      lengths_(lengths),
+ScanMatch::ScanMatch(const ScanPair& pair, const RegistrationOptions& options)
+    : scans_(pair),
       options_(options),
-      in_target_(matcher_for(target_, is_projective(target_, options.association))),
-      in_source_(matcher_for(source_, source_.view && options.association != Association::Nearest)) {}
+      in_target_(matcher_for(pair.target, is_projective(pair.target, options.association))),
+      in_source_(matcher_for(pair.source, pair.source.view && options.association != Association::Nearest)) {}
 
 AlignOptions ScanMatch::usual_options() const {
-  AlignOptions options = align_options(lengths_, is_projective(target_, options_.association), options_);
+  AlignOptions options = align_options(scans_.lengths, is_projective(scans_.target, options_.association), options_);
   options.correlation_length = 0.0;  // nobody asks how sure a start is
   options.intensity_weight = 0.0;
   return options;
 }
 
 AlignResult ScanMatch::align(const Rigid3& guess, const AlignOptions& options) const {
-  return augicp::align(source_.cloud, *in_target_, guess, options);
+  return augicp::align(scans_.source.cloud, *in_target_, guess, options);
 }
 
 double ScanMatch::plausibility(const Rigid3& target_from_source, int num_threads) const {
-  const Rigid3 pose = without_origins(target_from_source, source_.cloud, target_.cloud);
-  Agreement agreement =
-      in_target_->agreement(source_.cloud, pose, tolerance_for(target_, lengths_, options_.association), num_threads);
-  const Association back = source_.view ? options_.association : Association::Nearest;
-  agreement += in_source_->agreement(target_.cloud, inverse(pose), tolerance_for(source_, lengths_, back), num_threads);
+  const Scan &source = scans_.source, &target = scans_.target;
+  const Association back = source.view ? options_.association : Association::Nearest;
+  const AgreementTolerance in_target = tolerance_for(target, scans_.lengths, options_.association),
+                           in_source = tolerance_for(source, scans_.lengths, back);
+  Agreement agreement = in_target_->agreement(source.cloud, target_from_source, in_target, num_threads);
+  agreement += in_source_->agreement(target.cloud, inverse(target_from_source), in_source, num_threads);
   return augicp::plausibility(agreement);
 }
 
 std::vector<Correspondence> ScanMatch::pairs(const Rigid3& target_from_source) const {
-  return in_target_->match(source_.cloud, without_origins(target_from_source, source_.cloud, target_.cloud),
-                           usual_options().gates, options_.num_threads);
+  return in_target_->match(scans_.source.cloud, target_from_source, usual_options().gates, options_.num_threads);
 }
 
 }  // namespace augicp

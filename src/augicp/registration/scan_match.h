@@ -3,22 +3,25 @@
 
 #include <memory>
 
+#include "augicp/match/matcher.h"
 #include "augicp/registration/options.h"
+#include "augicp/registration/prepared_pair.h"
 
 namespace augicp {
 
 // Are pairs found through the target's camera? Throws std::invalid_argument where that is asked for and there is none.
 bool is_projective(const Scan& target, Association association);
 
-// Two prepared scans and how pairs are found in them, both ways. Poses are between the clouds' frames.
+// Two prepared scans and how pairs are found in them, both ways. Poses are between the clouds' points. The scans must
+// outlive it.
+// Thread safety: const calls may run concurrently.
 class ScanMatch {
  public:
-  ScanMatch(Scan source, Scan target, const Lengths& lengths, const RegistrationOptions& options);
+  ScanMatch(const ScanPair& pair, const RegistrationOptions& options);
   ScanMatch(const ScanMatch&) = delete;
   ScanMatch& operator=(const ScanMatch&) = delete;
 
-  const Scan& source() const { return source_; }
-  const Scan& target() const { return target_; }
+  const ScanPair& scans() const { return scans_; }
 
   AlignResult align(const Rigid3& guess, const AlignOptions& options) const;
 
@@ -32,10 +35,9 @@ class ScanMatch {
   std::vector<Correspondence> pairs(const Rigid3& target_from_source) const;
 
  private:
-  Scan source_, target_;
-  Lengths lengths_;
+  ScanPair scans_;
   RegistrationOptions options_;
-  std::unique_ptr<Matcher> in_target_, in_source_;
+  std::unique_ptr<ScanMatcher> in_target_, in_source_;
 };
 
 }  // namespace augicp

@@ -31,4 +31,9 @@ Scan coarser(const Scan& scan, int num_columns, double voxels, const Lengths& le
   return {downsample(scan.cloud, feasible_voxel(scan.cloud, voxels * lengths.voxel_size)), std::nullopt};
 }
 
+PreparedPair coarser(const ScanPair& pair, int num_columns, double voxels) {
+  return {coarser(pair.source, num_columns, voxels, pair.lengths),
+          coarser(pair.target, num_columns, voxels, pair.lengths), pair.lengths};
+}
+
 }  // namespace augicp

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "augicp/registration/lengths.h"
+#include "augicp/registration/prepared_pair.h"
 
 namespace augicp {
 
@@ -12,8 +12,11 @@ Scan thinned(const Scan& scan, int step);
 // The step that leaves about so many columns of a scan with a view.
 int step_for(const Scan& scan, int num_columns);
 
-// The prepared scan with fewer points: about so many columns of an image, or one point a voxel of so many times the
-// voxels it was thinned to.
+// A prepared scan with fewer points: about num_columns columns of an image; of a cloud one point a voxel, which is
+// `voxels` times as large as the one that it was downsampled to.
 Scan coarser(const Scan& scan, int num_columns, double voxels, const Lengths& lengths);
+
+// Both scans.
+PreparedPair coarser(const ScanPair& pair, int num_columns, double voxels);
 
 }  // namespace augicp

@@ -45,7 +45,7 @@ TEST(Registration, ThreadsOfTheCallerDoNotMeet) {
   options.max_iterations = 5;  // races need no more, and the thread sanitizer is slow
   options.num_threads = 2;     // of each call: callers' threads and the library's together
   const auto result_of = [&](const testing::ScanPair& pair) {
-    return register_scans(pair.source, pair.target, Rigid3{}, options);
+    return register_scans(pair.source, pair.target, Rigid3{}, options).result;
   };
   std::vector<AlignResult> at_once(kNumPairs);
   {

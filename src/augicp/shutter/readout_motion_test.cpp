@@ -40,8 +40,8 @@ TEST(ReadoutMotion, ASwingIsFoundAndItsPoseStraightened) {
   const Swing pair = swing();
   RegistrationOptions bent;
   bent.rolling_shutter = false;
-  const Rigid3 without = register_scans(pair.source, pair.target, {}, bent).target_from_source,
-               with = register_scans(pair.source, pair.target).target_from_source;
+  const Rigid3 without = register_scans(pair.source, pair.target, {}, bent).result.target_from_source,
+               with = register_scans(pair.source, pair.target).result.target_from_source;
   EXPECT_LT(angle_between(with, pair.target_from_source), 0.5 * angle_between(without, pair.target_from_source));
   EXPECT_THAT(with, NearPose(pair.target_from_source, 0.01, 0.01));
 }

@@ -15,16 +15,14 @@ Scan without_skew(const Scan& scan, const Rigid3& first_from_last, int num_threa
   Cloud& cloud = straight.cloud;
   const IndexImage& seen = scan.view->index;
   for (int v = 0; v < seen.height; ++v) {
-    const Rigid3 middle_from_row = part_of(first_from_last, (v + 0.5) / seen.height - 0.5);
-    const Eigen::Matrix3f rotation = middle_from_row.rotation.toRotationMatrix().cast<float>();
-    const Vec3f translation = middle_from_row.translation.cast<float>();
+    const Rigid3f middle_from_row(part_of(first_from_last, (v + 0.5) / seen.height - 0.5));
     for (int u = 0; u < seen.width; ++u) {
       const std::int32_t i = seen.at(u, v);
       if (i == IndexImage::kNone) continue;
-      cloud.points[i] = rotation * scan.cloud.points[i] + translation;
-      if (scan.cloud.has_directions()) cloud.directions[i] = rotation * scan.cloud.directions[i];
+      cloud.points[i] = middle_from_row * scan.cloud.points[i];
+      if (scan.cloud.has_directions()) cloud.directions[i] = middle_from_row.rotation * scan.cloud.directions[i];
       if (scan.cloud.has_intensity_gradients())
-        cloud.intensity_gradients[i] = rotation * scan.cloud.intensity_gradients[i];
+        cloud.intensity_gradients[i] = middle_from_row.rotation * scan.cloud.intensity_gradients[i];
     }
   }
   straight.view->index = project(cloud, Rigid3{}, scan.view->camera, seen.width, seen.height, num_threads);

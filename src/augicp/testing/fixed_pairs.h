@@ -8,12 +8,11 @@
 namespace augicp::testing {
 
 // The same pairs under every pose and gate. The target must outlive it.
-class FixedPairs : public Matcher {
+class FixedPairs final : public Matcher {
  public:
   FixedPairs(const Cloud& target, std::vector<Correspondence> pairs) : target_(target), pairs_(std::move(pairs)) {}
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud&, const Rigid3&, const Gates&, int) const override { return pairs_; }
-  Agreement agreement(const Cloud&, const Rigid3&, const AgreementTolerance&, int) const override { return {}; }
 
  private:
   const Cloud& target_;

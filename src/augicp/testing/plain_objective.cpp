@@ -44,11 +44,11 @@ double plain_loss(double chi2, double kernel_chi2) {
   return chi2 < kernel_chi2 ? chi2 : kernel_chi2 + kernel_chi2 * std::log(chi2 / kernel_chi2);
 }
 
-double plain_cost(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                  const Rigid3& target_from_source, const Objective& objective) {
+double plain_cost(const PosedPairs& posed, const Objective& objective) {
   double cost = 0.0;
-  for (const Correspondence& pair : pairs) {
-    const PlainPair plain = plain_pair(source, target, pair, target_from_source, objective.information);
+  for (const Correspondence& pair : posed.pairs) {
+    const PlainPair plain =
+        plain_pair(posed.source, posed.target, pair, posed.target_from_source, objective.information);
     const Vec3d of_position = plain.error.head<3>(), of_direction = plain.error.tail<3>();
     const double direction_loss = plain_loss(
         of_direction.dot(plain.information.bottomRightCorner<3, 3>() * of_direction), objective.kernel_direction_chi2);

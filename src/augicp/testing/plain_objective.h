@@ -27,7 +27,6 @@ PlainPair plain_pair(const Cloud& source, const Cloud& target, const Corresponde
 double plain_loss(double chi2, double kernel_chi2);
 
 // Half the sum of the losses.
-double plain_cost(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                  const Rigid3& target_from_source, const Objective& objective);
+double plain_cost(const PosedPairs& posed, const Objective& objective);
 
 }  // namespace augicp::testing

@@ -75,18 +75,17 @@ Plane best_plane(const Cloud& cloud, std::span<const Candidate> candidates) {
 
 }  // namespace
 
-std::vector<std::uint32_t> agreeing_points(const Cloud& source, const Cloud& target,
-                                           std::span<const Correspondence> pairs, const Rigid3& target_from_source,
-                                           const AgreementTolerance& tolerance) {
+std::vector<std::uint32_t> agreeing_points(const PosedPairs& posed, const AgreementTolerance& tolerance) {
+  const Cloud &source = posed.source, &target = posed.target;
   std::vector<std::uint32_t> agreeing;
   if (!source.has_directions() || !target.has_directions()) return agreeing;
-  const Mat3d rotation = target_from_source.rotation.toRotationMatrix();
-  for (const Correspondence& pair : pairs) {
+  const Mat3d rotation = posed.target_from_source.rotation.toRotationMatrix();
+  for (const Correspondence& pair : posed.pairs) {
     const bool both_planar =
         source.structures[pair.source] == Structure::Planar && target.structures[pair.target] == Structure::Planar;
     const Vec3d direction = target.directions[pair.target].cast<double>();
-    const Vec3d error =
-        target_from_source * source.points[pair.source].cast<double>() - target.points[pair.target].cast<double>();
+    const Vec3d error = posed.target_from_source * source.points[pair.source].cast<double>() -
+                        target.points[pair.target].cast<double>();
     const double off = both_planar ? std::abs(direction.dot(error)) : error.norm();
     const double cosine =
         both_planar ? std::abs(direction.dot(rotation * source.directions[pair.source].cast<double>())) : 1.0;

@@ -4,16 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "augicp/cloud/cloud.h"
-#include "augicp/cloud/correspondence.h"
+#include "augicp/cloud/posed_pairs.h"
 #include "augicp/match/agreement.h"
 
 namespace augicp {
 
 // The target points of those pairs that agree within the tolerance: on the target's surface, and turned alike.
-std::vector<std::uint32_t> agreeing_points(const Cloud& source, const Cloud& target,
-                                           std::span<const Correspondence> pairs, const Rigid3& target_from_source,
-                                           const AgreementTolerance& tolerance);
+std::vector<std::uint32_t> agreeing_points(const PosedPairs& posed, const AgreementTolerance& tolerance);
 
 // The share of these points of a cloud, in [0, 1], that lies off the three planes that hold the most of them, by the
 // tolerance's distance. Three planes fit any other three askew ones: only the rest tells one corner of a room from

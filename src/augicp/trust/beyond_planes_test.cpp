@@ -81,7 +81,7 @@ TEST(BeyondPlanes, ToleranceGrowsWithDepth) {
   for (const double depth : {2.0, 0.5}) add(cloud, {0, 0, depth}, Vec3d::UnitZ(), Structure::Planar);
   const std::vector<Correspondence> pairs{{0, 0}, {1, 1}};
   const Rigid3 off{Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.01}};
-  EXPECT_EQ(agreeing_points(cloud, cloud, pairs, off, {.distance = 0.0, .per_depth = 0.015}),
+  EXPECT_EQ(agreeing_points({cloud, cloud, pairs, off}, {.distance = 0.0, .per_depth = 0.015}),
             (std::vector<std::uint32_t>{0}));
 }
 
@@ -101,7 +101,7 @@ TEST(AgreeingPoints, AreOnTheSurfaceAndTurnedAlike) {
   add_pair({0.3, 0.0, 0.0}, z, Structure::None);
   std::vector<Correspondence> pairs;
   for (std::uint32_t i = 0; i < source.size(); ++i) pairs.push_back({i, i});
-  EXPECT_EQ(agreeing_points(source, target, pairs, {}, kTolerance), (std::vector<std::uint32_t>{0, 3}));
+  EXPECT_EQ(agreeing_points({source, target, pairs, {}}, kTolerance), (std::vector<std::uint32_t>{0, 3}));
 }
 
 }  // namespace

@@ -58,15 +58,17 @@ constexpr double kStepPerLength = 0.05;
 
 // How the gradient changes with the pose, by central differences of a step along each direction: with the pairs each
 // pose finds. The directions turn about the middle of the pairs: a turn about a zero far off would move all points far.
-Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& solution, const Mat6d& directions,
-                double step, int num_threads) {
+Mat6d curvature(const Matcher& matcher, const Solution& solution, const Mat6d& directions, double step,
+                int num_threads) {
+  const Cloud& source = solution.posed.source;
+  const Rigid3& minimum = solution.posed.target_from_source;
   const Cloud asked = evenly_chosen(source, kNumAsked);
-  const std::unique_ptr<Matching> matching = matcher.matching(asked);
-  matching->match(solution.target_from_source, solution.gates, num_threads);  // all others are near
+  const std::unique_ptr<MatchSession> session = matcher.session(asked);
+  session->match(minimum, solution.gates, num_threads);  // all others are near
   const auto gradient = [&](const Vec6d& increment) -> Vec6d {
-    const Rigid3 pose = retract(solution.target_from_source, increment);
-    const auto pairs = matching->match(pose, solution.gates, num_threads);
-    return linearize(asked, matcher.target(), pairs, pose, solution.objective, num_threads).b;
+    const Rigid3 pose = retract(minimum, increment);
+    const auto pairs = session->match(pose, solution.gates, num_threads);
+    return linearize({asked, matcher.target(), pairs, pose}, solution.objective, num_threads).b;
   };
   Mat6d changes;
   for (Eigen::Index k = 0; k < 6; ++k) {
@@ -81,11 +83,11 @@ Mat6d curvature(const Cloud& source, const Matcher& matcher, const Solution& sol
 
 // The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for
 // that.
-std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& target, const Solution& solution,
-                                         double cell_size, int num_threads) {
-  const Buckets buckets = in_buckets(target, solution.pairs, cell_size);
-  const std::vector<Vec6d> gradients = gradients_of_groups(
-      source, target, buckets.pairs, buckets.begin, solution.target_from_source, solution.objective, num_threads);
+std::optional<Mat6d> spread_of_gradients(const Solution& solution, double cell_size, int num_threads) {
+  const PosedPairs& posed = solution.posed;
+  const Buckets buckets = in_buckets(posed.target, posed.pairs, cell_size);
+  const std::vector<Vec6d> gradients =
+      gradients_of_groups(posed.with(buckets.pairs), buckets.begin, solution.objective, num_threads);
   Mat6d products = Mat6d::Zero();
   int num_cells = 0;
   for (std::size_t b = 0; b < kNumBuckets; ++b) {
@@ -99,12 +101,12 @@ std::optional<Mat6d> spread_of_gradients(const Cloud& source, const Cloud& targe
 
 }  // namespace
 
-std::optional<Mat6d> covariance(const Cloud& source, const Matcher& matcher, const Solution& solution,
-                                double correlation_length, const Mat6d& directions, int num_threads) {
-  const auto M = spread_of_gradients(source, matcher.target(), solution, correlation_length, num_threads);
+std::optional<Mat6d> covariance(const Matcher& matcher, const Solution& solution, double correlation_length,
+                                const Mat6d& directions, int num_threads) {
+  const auto M = spread_of_gradients(solution, correlation_length, num_threads);
   if (!M) return std::nullopt;
   const Eigen::LDLT<Mat6d> A(
-      curvature(source, matcher, solution, directions, kStepPerLength * correlation_length, num_threads));
+      curvature(matcher, solution, directions, kStepPerLength * correlation_length, num_threads));
   if (A.info() != Eigen::Success || !(A.vectorD().minCoeff() > 0.0)) return std::nullopt;
   const Mat6d half = A.solve(*M);  // A^-1 M, whose transpose is M A^-1
   const Mat6d both = A.solve(Mat6d(half.transpose()));

@@ -2,18 +2,17 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "augicp/match/matcher.h"
 #include "augicp/objective/linearize.h"
 
 namespace augicp {
 
-// Where the loop ended, and by what: the pairs of the pose, found within these gates, and what was minimised over them.
+// Where the loop ended, and by what: the pairs under the final pose, the gates that they were found within, and the
+// objective that was minimised over them.
 struct Solution {
-  Rigid3 target_from_source;
+  PosedPairs posed;
   Gates gates;
-  std::span<const Correspondence> pairs;
   Objective objective;
 };
 
@@ -27,7 +26,7 @@ struct Solution {
 // different cells may not. A is how the gradient changes with the pose when the pairs do too: H takes the pairs as
 // fixed, and so as holding the clouds along their surfaces too, which pairs that are found anew do not. directions: see
 // Observability. Absent where the pose is no minimum in this sense, or cells are too few. Not for degenerate problems.
-std::optional<Mat6d> covariance(const Cloud& source, const Matcher& matcher, const Solution& solution,
-                                double correlation_length, const Mat6d& directions, int num_threads);
+std::optional<Mat6d> covariance(const Matcher& matcher, const Solution& solution, double correlation_length,
+                                const Mat6d& directions, int num_threads);
 
 }  // namespace augicp

@@ -29,8 +29,8 @@ Subspace scaled(const Observability& observability, int num_free) {
   return free;
 }
 
-FreeMotion motion_of(const Vec6d& direction, const Observability& observability, const Vec3d& target_origin) {
-  const Vec3d centroid = observability.centroid + target_origin;
+FreeMotion motion_of(const Vec6d& direction, const Observability& observability) {
+  const Vec3d& centroid = observability.centroid;
   const Vec3d translation = direction.head<3>(), turn = direction.tail<3>() / observability.gyration;
   if (direction.tail<3>().norm() < kMaxTurnOfTranslation)
     return {FreeMotion::Kind::Translation, translation.normalized(), centroid, 0.0};
@@ -51,7 +51,7 @@ std::string_view name_of(FreeMotion::Kind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::vector<FreeMotion> free_motions(const Observability& observability, int num_free, const Vec3d& target_origin) {
+std::vector<FreeMotion> free_motions(const Observability& observability, int num_free) {
   if (num_free <= 0 || !(observability.gyration > 0.0)) return {};
   // Any turn of the basis within the free directions spans the same. This one has as much turning in as few of them as
   // can be, which leaves the rest pure translations.
@@ -60,7 +60,7 @@ std::vector<FreeMotion> free_motions(const Observability& observability, int num
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(turns, Eigen::ComputeFullV);
   const Subspace basis = free * svd.matrixV();
   std::vector<FreeMotion> motions;
-  for (int k = num_free - 1; k >= 0; --k) motions.push_back(motion_of(basis.col(k), observability, target_origin));
+  for (int k = num_free - 1; k >= 0; --k) motions.push_back(motion_of(basis.col(k), observability));
   return motions;
 }
 

@@ -17,14 +17,15 @@ struct FreeMotion {
     Screw,        // about the axis, and along it by pitch for each radian
   };
   Kind kind = Kind::Translation;
-  Vec3d axis = Vec3d::Zero();   // unit, target frame; it and its opposite are the same
-  Vec3d point = Vec3d::Zero();  // on the axis, target frame, metres: nearest to the paired points' centroid
-  double pitch = 0.0;           // metres a radian, of a screw
+  Vec3d axis = Vec3d::Zero();  // unit; it and its opposite are the same
+  Vec3d point =
+      Vec3d::Zero();   // on the axis, in the frame of the observability, metres: nearest to the paired points' centroid
+  double pitch = 0.0;  // metres a radian, of a screw
 };
 std::string_view name_of(FreeMotion::Kind kind);
 
 // The span of the num_free weakest directions, told by translations first, then by turns. Where several turns are free
-// (a sphere: three) their axes are one choice of many. target_origin: of the target cloud.
-std::vector<FreeMotion> free_motions(const Observability& observability, int num_free, const Vec3d& target_origin);
+// (a sphere: three) their axes are one choice of many. Places are between the target's points, without its origin.
+std::vector<FreeMotion> free_motions(const Observability& observability, int num_free);
 
 }  // namespace augicp

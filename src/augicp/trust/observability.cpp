@@ -86,8 +86,10 @@ double weight_of_angle(double cosine) {
 // J^T Omega J of a pair, but with the J and the half of Omega that each of its two points knows: what noise in one
 // direction seems to hold, the other's noise denies, so that in the sum it cancels. With the target's alone a sphere
 // seen with noise would be held against turns by as much as a room is.
-Mat6d held_by(const Cloud& source, const Cloud& target, const Correspondence& pair, const Rigid3& pose,
-              const InformationModel& model, const Spread& spread) {
+Mat6d held_by(const PosedPairs& posed, const Correspondence& pair, const InformationModel& model,
+              const Spread& spread) {
+  const Cloud &source = posed.source, &target = posed.target;
+  const Rigid3& pose = posed.target_from_source;
   const Structure structure = target.has_directions() ? target.structures[pair.target] : Structure::None;
   const Structure of_source = source.has_directions() ? source.structures[pair.source] : Structure::None;
   const Information& information = model.of(structure).position;
@@ -112,37 +114,35 @@ std::vector<double> robust_weights(const PairChi2& chi2, double kernel_chi2) {
   return weights;
 }
 
-Mat6d held_by(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs, const Rigid3& pose,
-              const InformationModel& model, const std::vector<double>& weights, const Spread& spread) {
+Mat6d held_by(const PosedPairs& posed, const InformationModel& model, const std::vector<double>& weights,
+              const Spread& spread) {
   Mat6d held = Mat6d::Zero();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double of_target = target.weights.empty() ? 1.0 : static_cast<double>(target.weights[pairs[k].target]);
-    held += weights[k] * of_target * held_by(source, target, pairs[k], pose, model, spread);
+  const std::vector<float>& of_points = posed.target.weights;
+  for (std::size_t k = 0; k < posed.size(); ++k) {
+    const double of_target = of_points.empty() ? 1.0 : static_cast<double>(of_points[posed.pairs[k].target]);
+    held += weights[k] * of_target * held_by(posed, posed.pairs[k], model, spread);
   }
   return held;
 }
 
 }  // namespace
 
-Observability observability(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                            const Rigid3& target_from_source, const Objective& objective) {
-  if (pairs.empty()) return {};
-  const std::vector<Correspondence> asked = evenly_chosen(pairs, kNumAsked);
-  const Spread spread = spread_of(target, asked);
+Observability observability(const PosedPairs& posed, const Objective& objective) {
+  if (posed.pairs.empty()) return {};
+  const std::vector<Correspondence> some = evenly_chosen(posed.pairs, kNumAsked);
+  const PosedPairs asked = posed.with(some);
+  const Spread spread = spread_of(posed.target, some);
   if (!(spread.gyration > 0.0)) return {};
   const Mat6d change = increment_from_scaled(spread);
-  const std::vector<double> weights = robust_weights(
-      chi2_of_pairs(source, target, asked, target_from_source, objective.information, 1), objective.kernel_chi2);
-  const auto held_under = [&](const InformationModel& model) {
-    return held_by(source, target, asked, target_from_source, model, weights, spread);
-  };
+  const std::vector<double> weights =
+      robust_weights(chi2_of_pairs(asked, objective.information, 1), objective.kernel_chi2);
+  const auto held_under = [&](const InformationModel& model) { return held_by(asked, model, weights, spread); };
   const InformationModel hard = without_softening(objective.information);
   Mat6d held = held_under(planes_alone(hard));
   if (held.isZero(0.0)) held = held_under(edges_alone(hard));
   if (held.isZero(0.0)) held = held_under(hard);
   if (objective.intensity.information > 0.0)
-    held += change.transpose() *
-            shared_intensity_information(source, target, asked, target_from_source, objective.intensity, 1) * change;
+    held += change.transpose() * shared_intensity_information(asked, objective.intensity, 1) * change;
   const Eigen::SelfAdjointEigenSolver<Mat6d> solver(held);
   const double best = solver.eigenvalues()[5];
   if (!(best > 0.0)) return {};

@@ -28,7 +28,6 @@ struct Observability {
 // Of the information of the pairs' positions without its softening: what is 1 / epsilon times weaker than the rest in
 // Table 2 is there to keep a step solvable, not because it is known. And of what the intensities of both points hold,
 // where they count.
-Observability observability(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                            const Rigid3& target_from_source, const Objective& objective);
+Observability observability(const PosedPairs& posed, const Objective& objective);
 
 }  // namespace augicp

@@ -3,8 +3,7 @@
 
 #include <span>
 
-#include "augicp/cloud/cloud.h"
-#include "augicp/cloud/correspondence.h"
+#include "augicp/cloud/posed_pairs.h"
 
 namespace augicp {
 
@@ -22,7 +21,6 @@ struct Residuals {
 };
 
 // Points without their origins. Normals compare with their sign where both sensors' places are known.
-Residuals residuals(const Cloud& source, const Cloud& target, std::span<const Correspondence> pairs,
-                    const Rigid3& target_from_source);
+Residuals residuals(const PosedPairs& posed);
 
 }  // namespace augicp

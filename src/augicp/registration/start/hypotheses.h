@@ -9,7 +9,7 @@ namespace augicp {
 
 // A pose, and how well both clouds speak for it.
 struct Hypothesis {
-  Rigid3 target_from_source;  // between the clouds' frames
+  Rigid3 target_from_source;  // between the clouds' points
   double plausibility = 0.0;  // see plausibility(), both ways
   bool is_free = false;       // some motion that the clouds do not show leads to it as well
 };

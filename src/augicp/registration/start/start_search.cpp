@@ -58,7 +58,7 @@ AlignOptions cloud_options(const ScanMatch& level, const RegistrationOptions& op
 // About what a scan is turned: its camera, or the middle of its points.
 Vec3d pivot_of(const Scan& scan) {
   const Vec3f place = scan.view && scan.cloud.viewpoint ? *scan.cloud.viewpoint : median_point(scan.cloud);
-  return scan.cloud.origin + place.cast<double>();
+  return place.cast<double>();
 }
 
 AlignOptions on_one_thread(AlignOptions options) {
@@ -102,26 +102,27 @@ std::vector<Hypothesis> led_on_from_guess(const ScanMatch& level, std::span<cons
 
 // Where lines of sight lead nowhere, nearest points may: they pull two images together from half a metre, though not
 // always to where they belong. So they only propose starts.
-std::vector<Rigid3> pulled_together(const ScanMatch& coarse, std::vector<Rigid3> starts, const Lengths& lengths,
-                                    RegistrationOptions options) {
+std::vector<Rigid3> pulled_together(const ScanMatch& coarse, std::vector<Rigid3> starts, RegistrationOptions options) {
   options.association = Association::Nearest;
-  const ScanMatch nearest(scan_of(coarse.source().cloud), scan_of(coarse.target().cloud), lengths, options);
+  const Scan source = scan_of(coarse.scans().source.cloud), target = scan_of(coarse.scans().target.cloud);
+  const ScanMatch nearest({source, target, coarse.scans().lengths}, options);
   const AlignOptions by = on_one_thread(cloud_options(nearest, options));
   const auto pull = [&](std::size_t k, std::size_t) { starts[k] = nearest.align(starts[k], by).target_from_source; };
   for_each_block(starts.size(), options.num_threads, pull, 1);
   return starts;
 }
 
-std::vector<Hypothesis> coarse_hypotheses(const ScanMatch& coarse, const Rigid3& guess, const Lengths& lengths,
+std::vector<Hypothesis> coarse_hypotheses(const ScanMatch& coarse, const Rigid3& guess,
                                           const RegistrationOptions& options) {
-  const bool has_images = coarse.source().view && coarse.target().view;
-  const bool projective = is_projective(coarse.target(), options.association);
-  const Vec3d pivot = guess * pivot_of(coarse.source());
+  const Scan &source = coarse.scans().source, &target = coarse.scans().target;
+  const bool has_images = source.view && target.view;
+  const bool projective = is_projective(target, options.association);
+  const Vec3d pivot = guess * pivot_of(source);
   const AlignOptions by = projective ? image_options(coarse) : cloud_options(coarse, options);
   std::vector<Hypothesis> found =
       led_on_from_guess(coarse, turned(guess, pivot, has_images ? kTurnsOfImages : kTurnsOfClouds), by);
   if (!projective || is_convincing(found)) return found;
-  const auto pulled = pulled_together(coarse, turned(guess, pivot, kTurnsOfPulled), lengths, options);
+  const auto pulled = pulled_together(coarse, turned(guess, pivot, kTurnsOfPulled), options);
   const auto led = led_on_from_guess(coarse, pulled, by);
   found.insert(found.end(), led.begin(), led.end());
   return found;
@@ -129,16 +130,14 @@ std::vector<Hypothesis> coarse_hypotheses(const ScanMatch& coarse, const Rigid3&
 
 }  // namespace
 
-Rigid3 search_start(const Scan& source, const Scan& target, const Rigid3& guess_target_from_source,
-                    const Lengths& lengths, const RegistrationOptions& options) {
-  const ScanMatch coarse(coarser(source, kCoarseColumns, kCoarseVoxels, lengths),
-                         coarser(target, kCoarseColumns, kCoarseVoxels, lengths), lengths, options);
+Rigid3 search_start(const ScanPair& pair, const Rigid3& guess_target_from_source, const RegistrationOptions& options) {
+  const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels);
   const std::vector<Hypothesis> candidates =
-      best_of(coarse_hypotheses(coarse, guess_target_from_source, lengths, options), kMaxCandidates, lengths.radius,
-              kSameAngle);
+      best_of(coarse_hypotheses(ScanMatch(coarse, options), guess_target_from_source, options), kMaxCandidates,
+              pair.lengths.radius, kSameAngle);
   if (candidates.empty()) return guess_target_from_source;
-  const ScanMatch middle(coarser(source, kMiddleColumns, kMiddleVoxels, lengths),
-                         coarser(target, kMiddleColumns, kMiddleVoxels, lengths), lengths, options);
+  const PreparedPair scans = coarser(pair, kMiddleColumns, kMiddleVoxels);
+  const ScanMatch middle(scans, options);
   AlignOptions by = middle.usual_options();
   by.max_iterations = kMiddleIterations;
   std::vector<Rigid3> starts;

@@ -29,9 +29,9 @@ RegistrationOptions without_search() {
 
 TEST(Search, ImagesMeetFromFarther) {
   const Pair pair = room_pair(0.6);
-  EXPECT_THAT(register_scans(pair.source, pair.target, {}, without_search()).target_from_source,
+  EXPECT_THAT(register_scans(pair.source, pair.target, {}, without_search()).result.target_from_source,
               ::testing::Not(NearPose(pair.target_from_source, 0.1, 0.1)));
-  EXPECT_THAT(register_scans(pair.source, pair.target).target_from_source,
+  EXPECT_THAT(register_scans(pair.source, pair.target).result.target_from_source,
               NearPose(pair.target_from_source, 0.02, 0.05));
 }
 
@@ -43,7 +43,7 @@ TEST(Search, CloudsMeetFromFarther) {
     const Vec3d middle = median_point(source.cloud).cast<double>();
     const Rigid3 turn = testing::random_motion(generator, 1.2, 0.0);
     const Rigid3 guess = pair.target_from_source * Rigid3{turn.rotation, middle - turn.rotation * middle};
-    EXPECT_THAT(register_scans(source, target, guess).target_from_source,
+    EXPECT_THAT(register_scans(source, target, guess).result.target_from_source,
                 NearPose(pair.target_from_source, 0.02, 0.03));
   }
 }
@@ -55,7 +55,7 @@ TEST(Search, ImagesAreFoundFromAside) {
   for (const Rigid3& off : {Rigid3{rotation_exp({0.58, -0.64, 0.27}), {-0.4, 0.3, -0.3}},
                             Rigid3{rotation_exp({-0.35, -0.2, 0.8}), {-0.55, 0.1, -0.15}},
                             Rigid3{rotation_exp({0.43, 0.8, -0.04}), {0.0, -0.8, -0.9}}})
-    EXPECT_THAT(register_scans(pair.source, pair.target, pair.target_from_source * off).target_from_source,
+    EXPECT_THAT(register_scans(pair.source, pair.target, pair.target_from_source * off).result.target_from_source,
                 NearPose(pair.target_from_source, 0.02, 0.05))
         << off.translation.transpose();
 }
@@ -63,9 +63,9 @@ TEST(Search, ImagesAreFoundFromAside) {
 // A good guess stays what it is worth.
 TEST(Search, AGoodGuessIsNotMadeWorse) {
   const Pair pair = room_pair(0.1);
-  const Rigid3 with = register_scans(pair.source, pair.target, pair.target_from_source).target_from_source;
+  const Rigid3 with = register_scans(pair.source, pair.target, pair.target_from_source).result.target_from_source;
   const Rigid3 without =
-      register_scans(pair.source, pair.target, pair.target_from_source, without_search()).target_from_source;
+      register_scans(pair.source, pair.target, pair.target_from_source, without_search()).result.target_from_source;
   EXPECT_THAT(with, NearPose(without, 1e-3, 2e-3));
 }
 
@@ -77,16 +77,17 @@ TEST(Search, NothingToFindGivesTheGuessBack) {
   one.view.reset();
   one.cloud.points.resize(1), one.cloud.directions.resize(1), one.cloud.structures.resize(1), one.cloud.weights.clear();
   const Rigid3 guess{rotation_exp({0.1, 0.2, 0.3}), {1, 2, 3}};
-  EXPECT_THAT(search_start(one, target, guess, lengths, {}), NearPose(guess, 0.0, 0.0));
+  EXPECT_THAT(search_start({one, target, lengths}, guess, {}), NearPose(guess, 0.0, 0.0));
 }
 
 TEST(Search, ThreadsFindTheSameBits) {
   const Pair pair = room_pair(0.6);
   RegistrationOptions options;
   options.num_threads = 1;
-  const Rigid3 expected = register_scans(pair.source, pair.target, {}, options).target_from_source;
+  const Rigid3 expected = register_scans(pair.source, pair.target, {}, options).result.target_from_source;
   options.num_threads = 5;
-  EXPECT_EQ(register_scans(pair.source, pair.target, {}, options).target_from_source.matrix(), expected.matrix());
+  EXPECT_EQ(register_scans(pair.source, pair.target, {}, options).result.target_from_source.matrix(),
+            expected.matrix());
 }
 
 TEST(Search, ThePaperDoesNotSearch) {
@@ -95,8 +96,8 @@ TEST(Search, ThePaperDoesNotSearch) {
   paper.preset = Preset::Paper;
   RegistrationOptions plain = paper;
   plain.search = plain.coarse_to_fine = plain.rolling_shutter = false;
-  EXPECT_EQ(register_scans(pair.source, pair.target, {}, paper).target_from_source.matrix(),
-            register_scans(pair.source, pair.target, {}, plain).target_from_source.matrix());
+  EXPECT_EQ(register_scans(pair.source, pair.target, {}, paper).result.target_from_source.matrix(),
+            register_scans(pair.source, pair.target, {}, plain).result.target_from_source.matrix());
 }
 
 }  // namespace

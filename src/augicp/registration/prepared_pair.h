@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "augicp/registration/lengths.h"
+
+namespace augicp {
+
+// Two prepared scans and the lengths that they were prepared with; see prepare_pair().
+struct PreparedPair {
+  Scan source, target;
+  Lengths lengths;
+};
+
+// A view of two prepared scans, of a PreparedPair or of any other two: a sequence registers each scan with several
+// others, without copies. The scans must outlive it. Either may be empty.
+struct ScanPair {
+  const Scan& source;
+  const Scan& target;
+  Lengths lengths;
+
+  ScanPair(const Scan& source_scan, const Scan& target_scan, const Lengths& pair_lengths)
+      : source(source_scan), target(target_scan), lengths(pair_lengths) {}
+  ScanPair(const PreparedPair& pair)  // NOLINT(google-explicit-constructor): a view of the same two scans
+      : ScanPair(pair.source, pair.target, pair.lengths) {}
+};
+
+}  // namespace augicp
