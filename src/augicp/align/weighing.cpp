@@ -32,13 +32,6 @@ struct Measured {
   std::vector<float> squared_errors, squared_gradients;  // of the pairs that are compared
 };
 
-// The middle one, of either sign.
-double signed_median(std::vector<float> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
-
 Measured measured_intensities(const PosedPairs& posed, int num_threads) {
   const std::vector<float> residuals = intensity_residuals(posed, num_threads);
   Measured measured;
@@ -48,7 +41,7 @@ Measured measured_intensities(const PosedPairs& posed, int num_threads) {
     measured.squared_gradients.push_back(posed.target.intensity_gradients[posed.pairs[k].target].squaredNorm());
   }
   if (measured.squared_errors.empty()) return measured;
-  measured.offset = signed_median(measured.squared_errors);
+  measured.offset = static_cast<double>(upper_median(measured.squared_errors));
   for (float& error : measured.squared_errors) {
     error -= static_cast<float>(measured.offset);
     error *= error;

@@ -30,9 +30,7 @@ std::vector<float> values_in(std::span<const float> values, std::uint32_t first_
 }
 
 double at_rank(std::vector<float> values, std::size_t rank) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), place, values.end());
-  return static_cast<double>(*place);
+  return static_cast<double>(value_at_rank(std::move(values), rank));
 }
 
 }  // namespace

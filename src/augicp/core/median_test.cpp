@@ -49,5 +49,18 @@ TEST(Median, OfZerosAndInfinities) {
             std::numeric_limits<double>::infinity());
 }
 
+TEST(Median, RanksAreThoseOfTheSortedValues) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> any(-3.0, 3.0);
+  for (const std::size_t count : {1u, 2u, 7u, 100u}) {
+    std::vector<double> values(count);
+    for (double& value : values) value = any(generator);
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t rank = 0; rank < count; ++rank) EXPECT_EQ(value_at_rank(values, rank), sorted[rank]);
+    EXPECT_EQ(upper_median(values), sorted[count / 2]);
+  }
+}
+
 }  // namespace
 }  // namespace augicp

@@ -2,15 +2,15 @@
 #include "augicp/experiment/basin.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "augicp/core/angles.h"
 #include "augicp/core/check.h"
 #include "augicp/experiment/random.h"
 
 namespace augicp {
 namespace {
 
-constexpr double kLimit_rad = 2.0 * std::numbers::pi / 180.0;
+constexpr double kLimit_rad = 2.0 * kRadPerDeg;
 
 void check_axis(const std::vector<double>& values, const char* name) {
   require(!values.empty(), name, 0.0, "expected some, found none");

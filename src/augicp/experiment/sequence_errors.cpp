@@ -2,17 +2,17 @@
 #include "augicp/experiment/sequence_errors.h"
 
 #include <algorithm>
-#include <numbers>
 #include <tuple>
+
+#include "augicp/core/angles.h"
 
 namespace augicp {
 namespace {
 
 constexpr double kMaxTruthGap_s = 0.1;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr PoseError kSuccess{0.05, 2.0 * kDegree};
-constexpr PoseError kNarrowSuccess{0.02, 1.0 * kDegree};
+constexpr PoseError kSuccess{0.05, 2.0 * kRadPerDeg};
+constexpr PoseError kNarrowSuccess{0.02, 1.0 * kRadPerDeg};
 
 using Kind = std::tuple<std::size_t, Preset, Method>;
 Kind kind_of(const SequenceCurve& curve) { return {curve.gap(), curve.preset, curve.method}; }

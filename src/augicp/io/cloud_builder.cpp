@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "augicp/core/median.h"
 #include "augicp/io/format.h"
 
 namespace augicp {
@@ -26,12 +27,6 @@ float intensity_of(double value) {
 // Medians over at most this many points, evenly spread over the file: enough for an origin.
 constexpr std::size_t kMaxSample = 4096;
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Medians, so that a few points at zero or at infinity, which stand for "no reading" in many files, do not decide.
 struct Spread {
   Vec3d centre = Vec3d::Zero();
@@ -45,12 +40,12 @@ Spread spread_of(const std::vector<Vec3f>& points) {
   for (int axis = 0; axis < 3; ++axis) {
     values.clear();
     for (std::size_t i = 0; i < points.size(); i += step) values.push_back(static_cast<double>(points[i][axis]));
-    spread.centre[axis] = median(values);
+    spread.centre[axis] = upper_median(values);
   }
   values.clear();
   for (std::size_t i = 0; i < points.size(); i += step)
     values.push_back((points[i].cast<double>() - spread.centre).cwiseAbs().maxCoeff());
-  spread.radius = median(values);
+  spread.radius = upper_median(values);
   return spread;
 }
 

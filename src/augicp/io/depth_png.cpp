@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "augicp/core/check.h"
+#include "augicp/core/median.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/format.h"
 #include "augicp/io/png.h"
@@ -53,13 +54,12 @@ std::optional<std::string> depth_scale_problem(const DepthImage& image, double d
   std::copy_if(image.depth.begin(), image.depth.end(), std::back_inserter(readings),
                [](float z) { return !std::isnan(z); });
   if (readings.empty()) return std::nullopt;
-  const auto middle = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
-  std::nth_element(readings.begin(), middle, readings.end());
-  if (*middle >= kNearest && *middle <= kFarthest) return std::nullopt;
+  const float middle = upper_median(std::move(readings));
+  if (middle >= kNearest && middle <= kFarthest) return std::nullopt;
   return fmt::format(
       "the median depth is {} m: is the depth scale {} right? It is a divisor, metres = value / scale; "
       "5000 for TUM, 1000 for most others",
-      *middle, depth_scale);
+      middle, depth_scale);
 }
 
 void check_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {

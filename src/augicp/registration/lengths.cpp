@@ -8,6 +8,8 @@
 #include <iterator>
 #include <vector>
 
+#include "augicp/core/median.h"
+
 namespace augicp {
 namespace {
 
@@ -46,9 +48,7 @@ std::vector<float> bin_around(const std::vector<float>& values, std::size_t& pla
 float quantile(const std::vector<float>& values, double share) {
   auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
   std::vector<float> within = bin_around(values, place);
-  const auto at = within.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(within.begin(), at, within.end());
-  return *at;
+  return value_at_rank(std::move(within), place);
 }
 
 std::vector<float> distances_from(const Vec3f& centre, const Cloud& cloud) {

@@ -3,9 +3,9 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "augicp/core/angles.h"
 #include "augicp/core/median.h"
 #include "augicp/geometry/rotation.h"
 
@@ -16,7 +16,7 @@ using Vec18 = Eigen::Matrix<double, 18, 1>;
 using Mat18 = Eigen::Matrix<double, 18, 18>;
 
 // How far a camera in a hand turns and moves during a readout of a thirtieth of a second (standard deviations).
-constexpr double kUsualTurn = 3.0 * std::numbers::pi / 180.0;
+constexpr double kUsualTurn = 3.0 * kRadPerDeg;
 constexpr double kUsualShift = 0.005;
 
 // The errors of a depth image's neighbouring points are alike, so that all its thousands of pairs together say as much

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "augicp/core/angles.h"
 #include "augicp/core/check.h"
 #include "augicp/experiment/random.h"
 #include "augicp/geometry/rotation.h"
@@ -15,12 +16,10 @@ namespace {
 using testing::Ray;
 using testing::Scene;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 Vec3d direction_of(const Lidar& lidar, int ring, int azimuth) {
   const double step_deg =
       lidar.num_rings > 1 ? (lidar.max_elevation_deg - lidar.min_elevation_deg) / (lidar.num_rings - 1) : 0.0;
-  const double elevation = (lidar.min_elevation_deg + ring * step_deg) * kDegree;
+  const double elevation = (lidar.min_elevation_deg + ring * step_deg) * kRadPerDeg;
   const double angle = 2.0 * std::numbers::pi * azimuth / lidar.num_azimuths;
   return {std::cos(elevation) * std::cos(angle), std::cos(elevation) * std::sin(angle), std::sin(elevation)};
 }

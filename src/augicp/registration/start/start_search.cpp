@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <span>
 
+#include "augicp/core/angles.h"
 #include "augicp/core/parallel.h"
 #include "augicp/registration/start/hypotheses.h"
 #include "augicp/registration/thin_scan.h"
@@ -14,24 +14,22 @@
 namespace augicp {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 // Sizes of the two levels. A thousand points are enough to tell thirty poses apart, and cost a millisecond each.
 constexpr int kCoarseColumns = 40, kMiddleColumns = 80;
 constexpr double kCoarseVoxels = 8.0, kMiddleVoxels = 4.0;
 
 // On images an alignment finds its way from some 10 degrees, farther turned images soon see nothing in common. Clouds
 // seen all around are found from 40 degrees.
-const std::vector<double> kTurnsOfImages{17.0 * kDegree, 34.0 * kDegree, 51.0 * kDegree};
-const std::vector<double> kTurnsOfClouds{40.0 * kDegree, 80.0 * kDegree};
-const std::vector<double> kTurnsOfPulled{40.0 * kDegree};
+const std::vector<double> kTurnsOfImages{17.0 * kRadPerDeg, 34.0 * kRadPerDeg, 51.0 * kRadPerDeg};
+const std::vector<double> kTurnsOfClouds{40.0 * kRadPerDeg, 80.0 * kRadPerDeg};
+const std::vector<double> kTurnsOfPulled{40.0 * kRadPerDeg};
 
 // Above, the guess is taken to have led to the right pose and nothing else is tried; see plausibility().
 constexpr double kConvincing = 0.5;
 
 constexpr std::size_t kMaxCandidates = 4;
-constexpr double kSameAngle = 3.0 * kDegree;  // candidates nearer than this, and than a ball's radius, are one
-constexpr double kOwnAngle = 8.5 * kDegree;   // half of the smallest turn: what is nearer came from the guess
+constexpr double kSameAngle = 3.0 * kRadPerDeg;  // candidates nearer than this, and than a ball's radius, are one
+constexpr double kOwnAngle = 8.5 * kRadPerDeg;   // half of the smallest turn: what is nearer came from the guess
 constexpr int kImageIterations = 10, kCloudIterations = 20, kMiddleIterations = 20;
 
 // Without a camera, points far off have no partner on their line of sight, only the nearest: far gates, pairs whatever
