@@ -4,15 +4,12 @@ include(CMakePackageConfigHelpers)
 
 set(AUGICP_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/augicp)
 
-# The lines with which a package file finds these imported targets: Package::target comes from find_package(Package), and
-# PkgConfig::module from pkg-config. So a module that links something new needs no change here.
+# The lines with which a package file finds these imported targets: Package::target comes from find_package(Package). So a
+# module that links something new needs no change here.
 function(augicp_find_lines result)
   set(lines "")
   foreach(library IN LISTS ARGN)
-    if(library MATCHES "^PkgConfig::(.+)$")
-      string(APPEND lines "find_dependency(PkgConfig)\n"
-        "pkg_check_modules(${CMAKE_MATCH_1} QUIET REQUIRED IMPORTED_TARGET ${CMAKE_MATCH_1})\n")
-    elseif(library MATCHES "^(.+)::")
+    if(library MATCHES "^(.+)::")
       string(APPEND lines "find_dependency(${CMAKE_MATCH_1})\n")
     endif()
   endforeach()
@@ -25,6 +22,7 @@ if(augicp_type STREQUAL "STATIC_LIBRARY")
   get_property(augicp_private_libraries GLOBAL PROPERTY AUGICP_PRIVATE_LIBRARIES)
   list(REMOVE_DUPLICATES augicp_private_libraries)
   augicp_find_lines(AUGICP_FIND_PRIVATE_LIBRARIES ${augicp_private_libraries})
+  install(FILES cmake/Findspng.cmake DESTINATION ${AUGICP_INSTALL_CMAKEDIR} COMPONENT development)
 endif()
 
 configure_package_config_file(cmake/augicpConfig.cmake.in ${PROJECT_BINARY_DIR}/augicpConfig.cmake
