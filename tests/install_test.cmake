@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Installs the library into an empty prefix, then builds and runs tests/consumer against it, as a stranger would.
-#   cmake -DSOURCE=... -DBUILD=... -DWORK=... -DCOMPILER=... [-DSHARED=ON -DWARNINGS_AS_ERRORS=...] [-DPYTHON=...] -P install_test.cmake
-# With SHARED the library is first built as a shared one in WORK/build, without the Python module; otherwise BUILD is installed as it is.
+#   cmake -DSOURCE=... -DBUILD=... -DWORK=... -DCOMPILER=... [-DPYTHON=...]
+#     [-DSHARED=ON -DSHARED_BUILD=... -DVERSION=... -DLAUNCHER=... -DWARNINGS_AS_ERRORS=...]
+#     -P install_test.cmake
+# Without SHARED, BUILD is installed as it is. With SHARED, the preset `install` is built in SHARED_BUILD with a shared library,
+# and its command is installed too.
 cmake_minimum_required(VERSION 3.22)
 
 function(run)
@@ -9,21 +12,12 @@ function(run)
 endfunction()
 
 set(cxx -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release)
-if(SHARED)
-  # The same sources with the same flags: Ninja takes the objects over with its log of what made them, and compiles again only
-  # what is not up to date or was made by another command.
-  file(REMOVE_RECURSE ${WORK}/build)
-  file(GLOB logs ${BUILD}/.ninja_log ${BUILD}/.ninja_deps)
-  file(COPY ${logs} DESTINATION ${WORK}/build)
-  file(COPY ${BUILD}/src DESTINATION ${WORK}/build FILES_MATCHING PATTERN "*_test.dir" EXCLUDE PATTERN "*.o")
-  set(BUILD ${WORK}/build)
-  run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -G Ninja ${cxx} -DBUILD_SHARED_LIBS=ON -DAUGICP_WARNINGS_AS_ERRORS=${WARNINGS_AS_ERRORS}
-    -DAUGICP_BUILD_TESTS=OFF -DAUGICP_BUILD_APPS=OFF -DAUGICP_BUILD_EXAMPLES=OFF -DAUGICP_BUILD_PYTHON=OFF)
-  run(${CMAKE_COMMAND} --build ${BUILD} --target augicp)
-endif()
-
 set(prefix ${WORK}/prefix)
 file(REMOVE_RECURSE ${prefix} ${WORK}/consumer)
+if(SHARED)
+  include(${CMAKE_CURRENT_LIST_DIR}/install_shared.cmake)
+  set(BUILD ${SHARED_BUILD})
+endif()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component development)
 
 # A public header that includes one which is not installed fails here.
