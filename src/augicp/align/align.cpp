@@ -19,7 +19,7 @@ AlignIteration record_of(const Rigid3& pose, const Iteration& iteration) {
           iteration.objective.intensity.information};
 }
 
-// Asks of the final pose whether the last iteration's pairs constrain every direction, and how certain it is.
+// Computes, for the final pose and the last pairs, whether every direction is constrained, and the covariance.
 void judge_certainty(const Matcher& matcher, const PosedPairs& posed, const Iteration& last,
                      const AlignOptions& options, AlignResult& result) {
   result.rmse = rms_distance(posed, options.num_threads);
@@ -32,7 +32,7 @@ void judge_certainty(const Matcher& matcher, const PosedPairs& posed, const Iter
                                    result.observability.directions, options.num_threads);
 }
 
-// The loop of section 3.3. The increments leave the num_free weakest directions alone.
+// The loop of section 3.3. The increments do not move in the num_free weakest directions.
 AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                     const AlignOptions& options, int num_free) {
   const Cloud& target = matcher.target();
@@ -71,15 +71,15 @@ AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& i
   return result;
 }
 
-// The loop, and once more without the directions that the data leave free.
+// The loop and, if the data leave directions free, the loop again without these.
 AlignResult align_by(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                      const AlignOptions& options) {
   AlignResult result = iterate(source, matcher, initial_target_from_source, options, 0);
   if (result.status != AlignStatus::Degenerate) return result;
-  // What is free has wandered by then, and may have led the rest astray: once more, without it.
+  // The free directions have drifted, and may have pulled the others along. So start again, without them.
   const int num_free = result.observability.num_below(options.min_observability);
   AlignResult held = iterate(source, matcher, initial_target_from_source, options, num_free);
-  if (held.observability.gyration == 0.0) return result;  // no pose was reached this way
+  if (held.observability.gyration == 0.0) return result;  // this loop found no pose
   held.status = AlignStatus::Degenerate;
   held.free_motions = free_motions(held.observability, num_free);
   return held;
@@ -92,8 +92,8 @@ AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& ini
   options.check();
   if (!(options.intensity_weight > 0.0) || !compares_intensities(source, matcher.target()))
     return align_by(source, matcher, initial_target_from_source, options);
-  // A gradient of the intensity is valid only as far as the points that it came from, and from farther away brightness
-  // leads anywhere: shape comes first.
+  // A gradient of the intensity is valid only near its points; from farther away brightness leads anywhere. So shape
+  // comes first.
   AlignOptions by_shape = options;
   by_shape.intensity_weight = by_shape.correlation_length = 0.0;
   AlignResult shape = align_by(source, matcher, initial_target_from_source, by_shape);

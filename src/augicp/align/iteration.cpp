@@ -11,13 +11,13 @@
 namespace augicp {
 namespace {
 
-// Three points fix a motion where each gives three numbers; planes give one each, so six pairs are the least.
+// Three points determine a motion if each gives three numbers. A plane gives one, so six pairs are the least.
 constexpr std::size_t kMinPairs = 6;
 
-// With fewer source points than this share in reach of the target, what little touches says nothing.
+// If a smaller share of the source points is in reach of the target, the few correspondences mean nothing.
 constexpr double kMinOverlap = 0.02;
 
-// Medians are known well enough from this many pairs, taken evenly from all.
+// This many pairs, evenly selected, suffice for medians.
 constexpr std::size_t kTypicalPairs = 8192;
 
 std::vector<float> squared_distances(const PosedPairs& posed, int num_threads) {

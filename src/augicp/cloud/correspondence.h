@@ -8,7 +8,8 @@
 
 namespace augicp {
 
-// A pair (j, i) of the paper: indices of a source and of a target point taken to be the same piece of surface.
+// A pair (j, i) of the paper: the indices of a source point and a target point that are assumed to be the same piece of
+// surface.
 struct Correspondence {
   std::uint32_t source = 0;
   std::uint32_t target = 0;
@@ -25,7 +26,7 @@ inline std::vector<Correspondence> joined(const std::vector<std::vector<Correspo
   return pairs;
 }
 
-// At most max_count of the pairs, at even distances in their order: enough for medians and means.
+// At most max_count of the pairs, evenly spaced in their order: enough for medians and means.
 inline std::vector<Correspondence> evenly_chosen(std::span<const Correspondence> pairs, std::size_t max_count) {
   const std::size_t step = (pairs.size() + max_count - 1) / max_count;
   std::vector<Correspondence> chosen;

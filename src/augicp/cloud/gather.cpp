@@ -10,20 +10,20 @@
 namespace augicp {
 namespace {
 
-// Shorter runs on average are read faster one by one.
+// If runs are shorter on average, reading one by one is faster.
 constexpr std::size_t kMinMeanRun = 3;
 
 bool has_long_runs(const IndexRuns& runs) { return kMinMeanRun * runs.num_runs < runs.count; }
 
-// Where runs are long, what is read later mostly lies farther on in memory.
+// If runs are long, later reads are mostly farther on in memory.
 template <typename Entry>
 void fetch_ahead(std::span<const Entry> entries, const IndexRuns& runs) {
-  constexpr std::size_t kEntriesAhead = 2048;  // the time of some thirty calls
+  constexpr std::size_t kEntriesAhead = 2048;  // takes the time of about thirty calls
   const std::size_t first = runs.index[0] + kEntriesAhead;
   if (first + kGatheredAtOnce <= entries.size()) prefetch(&entries[first], kGatheredAtOnce);
 }
 
-// starts[k]: does index[k] not follow index[k - 1]?
+// starts[k]: 1 if index[k] does not follow index[k - 1].
 AUGICP_VECTORIZED void mark_starts(const std::uint32_t* __restrict index, std::uint8_t* __restrict starts) {
   starts[0] = 1;
   for (std::size_t k = 1; k < kGatheredAtOnce; ++k) starts[k] = index[k] != index[k - 1] + 1 ? 1 : 0;
@@ -34,8 +34,8 @@ AUGICP_VECTORIZED void split(const Correspondence* __restrict pairs, std::size_t
   for (std::size_t k = 0; k < count; ++k) source[k] = pairs[k].source, target[k] = pairs[k].target;
 }
 
-// Calls copy(first index, place of the first entry, how many) for parts of all runs: of whole units where that reads
-// nothing behind the end of what is read, else of single entries.
+// Calls copy(first index, destination of the first entry, count) for parts of all runs. Parts are whole units if that
+// reads nothing beyond the end of the array, else single entries.
 template <typename Copy>
 AUGICP_INLINE void for_each_part(const IndexRuns& runs, std::size_t size, const Copy& copy) {
   for (std::size_t r = 0; r < runs.num_runs; ++r) {
@@ -82,7 +82,7 @@ void find_runs(IndexRuns& runs) {
   std::uint64_t eight;
   for (std::size_t k = 0; k < runs.count; k += sizeof(eight)) {
     std::memcpy(&eight, starts + k, sizeof(eight));
-    if (eight == 0) continue;  // mostly
+    if (eight == 0) continue;  // the usual case
     for (std::size_t l = k; l < std::min(k + sizeof(eight), runs.count); ++l) {
       runs.begin[runs.num_runs] = static_cast<std::uint8_t>(l);
       runs.num_runs += starts[l];

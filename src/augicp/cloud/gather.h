@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a list of indices points to, as arrays of numbers of which compilers make vectors. Pixels side by side mostly
-// hold points side by side in memory: such runs are read as blocks, several numbers at a time.
+// Reads the data at a list of indices into arrays that compilers vectorise. Neighbouring pixels mostly have
+// neighbouring points in memory; such runs of indices are read as blocks.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ namespace augicp {
 
 inline constexpr std::size_t kGatheredAtOnce = 64;
 
-// Runs are copied in units of so many entries. What a unit holds beyond its run the next run overwrites; behind the
-// last one there is room for it.
+// Runs are copied in units of this many entries. The next run overwrites the surplus of a unit; the last run has room
+// for it.
 inline constexpr std::size_t kGatherUnit = 16;
 
-// One number of each entry. Those behind the last entry are numbers of some points or as they were before.
+// One number per entry. Entries behind the last one are unspecified.
 template <typename Number>
 using Column = Number[kGatheredAtOnce + kGatherUnit];
 
@@ -28,16 +28,16 @@ struct IndexRuns {
   alignas(64) std::uint32_t index[kGatheredAtOnce] = {};
   std::size_t count = 0;
   std::size_t num_runs = 0;
-  std::uint8_t begin[kGatheredAtOnce + 1] = {};  // of each run, and the end of the last
+  std::uint8_t begin[kGatheredAtOnce + 1] = {};  // begin of each run, and the end of the last one
 };
 
-// Cuts index[0], ..., index[count - 1], which are set already.
+// Cuts index[0], ..., index[count - 1] into runs. REQUIRES: these are set.
 void find_runs(IndexRuns& runs);
 
 // The indices of at most kGatheredAtOnce pairs, cut into runs.
 void find_runs(std::span<const Correspondence> pairs, IndexRuns& of_source, IndexRuns& of_target);
 
-// Every index must be below the size of what is read.
+// Copies the data at the indices. REQUIRES: every index is below the size of the array.
 void gather(std::span<const Vec3f> vectors, const IndexRuns& runs, Column<float> (&columns)[3]);
 void gather(std::span<const float> numbers, const IndexRuns& runs, Column<float>& column);
 void gather(std::span<const Structure> structures, const IndexRuns& runs, Column<std::int32_t>& column);

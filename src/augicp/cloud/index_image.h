@@ -7,13 +7,13 @@
 
 namespace augicp {
 
-// An image of indices into a cloud, row-major: which point is seen in which pixel. Also the grid of an organised file.
+// An image of indices into a cloud, row-major: the point that each pixel sees. Also the grid of an organised file.
 struct IndexImage {
   static constexpr std::int32_t kNone = -1;
 
   int width = 0;
   int height = 0;
-  std::vector<std::int32_t> index;  // width * height, kNone where no point is seen
+  std::vector<std::int32_t> index;  // width * height entries; kNone if the pixel sees no point
 
   IndexImage() = default;
   IndexImage(int width_px, int height_px)

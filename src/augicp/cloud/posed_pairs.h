@@ -8,8 +8,8 @@
 
 namespace augicp {
 
-// Pairs of points of two clouds under a pose: what an objective, its weights and the verdict are computed from. A view:
-// the clouds and the pairs must outlive it.
+// Pairs of points of two clouds under a pose: the input of an objective, its weights and the verdict. A view. REQUIRES:
+// the clouds and the pairs outlive it.
 struct PosedPairs {
   const Cloud& source;
   const Cloud& target;

@@ -26,7 +26,7 @@ std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-// Places in whole parts of a cell from the grid's corner. The sum of whole numbers does not depend on their order.
+// Positions in whole parts of a cell from the corner of the grid. The sum of integers does not depend on their order.
 constexpr int kPartBits = 30;
 constexpr std::int64_t kParts = std::int64_t{1} << kPartBits;
 using Parts = std::array<std::int64_t, 3>;
@@ -37,7 +37,7 @@ class Grid {
       : min_(min.cast<double>()), parts_per_metre_(std::min(kParts / cell, std::numeric_limits<double>::max())) {}
 
   Parts parts(const Vec3f& point) const {
-    // Offsets from the minimum are never negative, so that truncation is the floor.
+    // Offsets from the minimum are never negative, so truncation equals floor.
     const auto axis = [&](int k) {
       const double parts = (static_cast<double>(point[k]) - min_[k]) * parts_per_metre_;
       return static_cast<std::int64_t>(std::min(parts, kMaxCells * kParts - 1.0));
@@ -61,8 +61,8 @@ struct Keyed {
   std::uint32_t index;
 };
 
-// Room for all points twice, to sort them from one half to the other. In one piece: freed, it is kept for the next
-// cloud's by glibc, which gives two pieces of half the size back to the system, to be cleared anew.
+// Room for all points twice, to sort from one half to the other. One allocation: when freed, glibc keeps it for the
+// next cloud. Two of half the size would go back to the system, which clears new pages.
 struct SortedPoints {
   explicit SortedPoints(std::size_t count)
       : memory(std::make_unique_for_overwrite<Keyed[]>(2 * count)),
@@ -72,8 +72,8 @@ struct SortedPoints {
   std::span<Keyed> points, spare;
 };
 
-// Sorts by some bits of the keys after others, the lowest first, which takes a fraction of the time that comparing
-// them does. Bits above the highest key's, half of them in most clouds, are left out.
+// Radix sort, lowest bits first; faster than comparing. Bits above the highest key's, half of them in most clouds, are
+// skipped.
 void sort_by_key(SortedPoints& sorted) {
   constexpr int kBits = 11, kKeyBits = 63;
   std::uint64_t all = 0;
@@ -107,7 +107,7 @@ std::vector<T> at(const std::vector<T>& values, const std::vector<std::uint32_t>
 
 Vec3f mean_point(const Cloud& cloud, const Grid& grid, std::span<const Keyed> voxel) {
   if (voxel.size() == 1) return cloud.points[voxel.front().index];
-  Parts sum{};  // beyond the voxel's corner
+  Parts sum{};  // from the corner of the voxel
   for (const Keyed& point : voxel) {
     const Parts parts = grid.parts(cloud.points[point.index]);
     for (int k = 0; k < 3; ++k) sum[k] += parts[k] % kParts;
@@ -127,14 +127,14 @@ void sort_by_coordinates(const Cloud& cloud, std::span<Keyed> voxel) {
   });
 }
 
-// The first of them.
+// The first of the nearest ones.
 std::uint32_t nearest_to(const Vec3f& place, const Cloud& cloud, std::span<const Keyed> voxel) {
   const auto distance_sq = [&](const Keyed& k) { return (cloud.points[k.index] - place).squaredNorm(); };
   const auto is_nearer = [&](const Keyed& a, const Keyed& b) { return distance_sq(a) < distance_sq(b); };
   return std::min_element(voxel.begin(), voxel.end(), is_nearer)->index;
 }
 
-// Of those that are known; NaN where none is.
+// Mean of the known intensities; NaN if none is known.
 float mean_intensity(const Cloud& cloud, std::span<const Keyed> voxel) {
   double sum = 0.0;
   int count = 0;
@@ -178,7 +178,7 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
   const double longest = longest_side(box);
   require(longest / voxel_size < kMaxCells, "voxel_size", voxel_size,
           "too small, the cloud spans more than 2^21 voxels");
-  // A cell that holds the whole cloud need not be larger: its parts would be no small ones of the cloud.
+  // A cell larger than the cloud is not needed, and its parts would be too coarse for the cloud.
   const Grid grid(box.min, longest > 0.0 ? std::min(voxel_size, 2.0 * longest) : voxel_size);
   const bool has_more = cloud.has_directions() || cloud.has_intensities() || !cloud.weights.empty();
   SortedPoints sorted = by_voxel(cloud, grid);
@@ -190,7 +190,7 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
     const std::span<Keyed> voxel(begin, end);
     means.push_back(mean_point(cloud, grid, voxel));
     if (!has_more) continue;
-    sort_by_coordinates(cloud, voxel);  // what comes first must not depend on the order of the points
+    sort_by_coordinates(cloud, voxel);  // the first point must not depend on the order of the input
     nearest.push_back(nearest_to(means.back(), cloud, voxel));
     if (cloud.has_intensities()) intensities.push_back(mean_intensity(cloud, voxel));
   }

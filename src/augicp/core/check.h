@@ -8,7 +8,8 @@
 
 namespace augicp {
 
-// Throws std::invalid_argument "name = value: requirement" unless holds. For options and arguments, not for invariants.
+// Throws std::invalid_argument "name = value: requirement" unless `holds` is true. For options and arguments, not for
+// invariants.
 inline void require(bool holds, std::string_view name, double value, std::string_view requirement) {
   if (holds) return;
   throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": " + std::string(requirement));

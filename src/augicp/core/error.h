@@ -6,14 +6,14 @@
 
 namespace augicp {
 
-// A file that cannot be read or written as asked. The message names the file, the line or byte, what was expected and
-// what was found. Bad arguments are std::invalid_argument instead.
+// A file cannot be read or written as requested. The message names the file, the line or byte, the expected and the
+// found content. Bad arguments throw std::invalid_argument instead.
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// The caller asked for an end through a std::stop_token, and there is no result. See core/stop.h.
+// A std::stop_token requested an end; there is no result. See core/stop.h.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}

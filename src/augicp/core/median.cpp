@@ -9,18 +9,18 @@
 namespace augicp {
 namespace {
 
-// Positive floats are in the order of their bits. The upper ones tell two apart by an eighth of their size: so few
-// places to count in are cheaper than having few values in the middle one.
+// The bit patterns of positive floats are in the order of their values. The upper bits distinguish values by an eighth
+// of their size. A coarse histogram is cheaper overall, although its middle bin has more values.
 constexpr std::uint32_t kSign = 0x80000000u;
 constexpr int kLowerBits = 20;
 
-// Below, ordering the values costs less than counting them.
+// For fewer values, sorting costs less than the histogram.
 constexpr std::size_t kFewValues = 4096;
 
 std::vector<float> values_in(std::span<const float> values, std::uint32_t first_bits, std::uint32_t last_bits) {
   std::vector<float> chosen(values.size());
   std::size_t count = 0;
-  for (const float value : values) {  // without a branch: no processor guesses which values lie in the middle
+  for (const float value : values) {  // no branch: it would be unpredictable
     const auto bits = std::bit_cast<std::uint32_t>(value);
     chosen[count] = value;
     count += bits >= first_bits && bits <= last_bits ? 1 : 0;

@@ -9,8 +9,8 @@
 
 namespace augicp {
 
-// The upper median of those values that are not below 0 (nor -0): errors, whose sign may say that there is none. 0
-// where all are.
+// The upper median of the values that are at least +0. Negative values and -0 mark missing errors and are skipped. 0 if
+// no value is left.
 double median(std::span<const float> values);
 
 // The value that would be at this place, below the number of values, were they in ascending order. None may be NaN.

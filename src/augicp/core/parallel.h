@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Parallel loops whose results do not depend on the number of threads.
+// Parallel loops. Results are bit-identical for any number of threads.
 //
-// Work is cut into blocks of a fixed size; each block is done by one thread, and partial sums are added in block order.
-// So the same input gives the same bits on one thread and on sixty-four.
+// Work is cut into blocks of a fixed size. One thread does a block, and partial sums are added in block order.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +10,20 @@
 
 namespace augicp {
 
-// Items of one block. Large enough to hide the cost of a task, small enough for two cores to share a depth image
-// evenly.
+// Items of one block. Large enough to hide the cost of a task, small enough to share a depth image evenly between two
+// cores.
 inline constexpr std::size_t kBlockSize = 2048;
 
-// Of loops that take some nanoseconds an item: a block should take longer than to wake a thread, or on a busy machine
-// all wait for it.
+// Block size for cheap loops (a few nanoseconds per item). A block must outlast a thread wake-up; otherwise, on a busy
+// machine, all threads wait for the late one.
 inline constexpr std::size_t kLightBlockSize = 16384;
 
-// Calls body(begin, end) for every block of [0, count), concurrently on at most num_threads threads (0: all the
-// machine's). Blocks must not write to shared places. An exception of body reaches the caller.
+// Calls body(begin, end) for every block of [0, count), concurrently on at most num_threads threads (0: all of the
+// machine). REQUIRES: blocks write to disjoint places. An exception of body reaches the caller.
 void for_each_block(std::size_t count, int num_threads, const std::function<void(std::size_t, std::size_t)>& body,
                     std::size_t block_size = kBlockSize);
 
-// The sum over blocks of body(begin, end), added in block order. Sum needs a zero default value and operator+=.
+// The sum over blocks of body(begin, end), added in block order. REQUIRES: Sum has a zero default value and operator+=.
 template <typename Sum, typename Body>
 Sum blocked_sum(std::size_t count, int num_threads, const Body& body, std::size_t block_size = kBlockSize) {
   std::vector<Sum> partial((count + block_size - 1) / block_size);

@@ -13,7 +13,7 @@ void run_blocks(std::size_t num_blocks, int num_threads, const std::function<voi
   const auto run_all = [&] { tbb::parallel_for(std::size_t{0}, num_blocks, run_block, tbb::simple_partitioner{}); };
   const std::size_t limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   if (num_threads == 0 || static_cast<std::size_t>(num_threads) >= limit) return run_all();
-  // An arena of our own: the caller's thread limit holds for this loop only, and nothing global changes. It costs some
+  // A separate arena: the caller's thread limit applies to this loop only, and nothing global changes. It costs about
   // 50 microseconds.
   tbb::task_arena arena(num_threads);
   arena.execute(run_all);

@@ -25,7 +25,7 @@ void run_blocks(std::size_t num_blocks, int num_threads, const std::function<voi
       failure = std::current_exception();
     }
   };
-  // At least two, also on a machine with one core: a race needs no second core to be seen.
+  // At least two, also on a machine with one core: the sanitizer finds races without a second core.
   const std::size_t wanted = num_threads == 0 ? std::max(2u, std::thread::hardware_concurrency()) : num_threads;
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < std::min(wanted, num_blocks); ++i) threads.emplace_back(work);

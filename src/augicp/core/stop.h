@@ -7,8 +7,8 @@
 
 namespace augicp {
 
-// Throws Interrupted if an end was asked for. Called between the steps of long work, in the caller's thread or in one
-// of a parallel loop, which hands the exception on. A token that belongs to no source never asks.
+// Throws Interrupted if an end was requested. Called between the steps of long work, in the caller's thread or in a
+// thread of a parallel loop, which forwards the exception. A token without a source never requests an end.
 inline void throw_if_stopped(const std::stop_token& stop) {
   if (stop.stop_requested()) throw Interrupted();
 }

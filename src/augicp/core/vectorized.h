@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>  // also says whether this is glibc
+#include <cstddef>  // defines __GLIBC__ on glibc
 
-// Before a function whose loops are worth it: it is compiled twice more, for AVX2 and for AVX-512, and the program
-// takes the one its machine can run. All give the same bits, because no additions are reordered and none are fused with
-// multiplications. The choice is made by the loader, before sanitizers are up, so builds with those have the plain one
-// only.
+// Marks a function that is compiled twice more, for AVX2 and for AVX-512. The loader picks the version for the machine.
+// Results are bit-identical: no additions are reordered, and none are fused with multiplications. The loader picks
+// before sanitizers are initialised, so builds with sanitizers have the plain version only.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(AUGICP_NO_AVX2)
 #if __GNUC__ >= 12 && !defined(AUGICP_NO_AVX512)
@@ -18,5 +17,5 @@
 #define AUGICP_VECTORIZED
 #endif
 
-// Inlined into functions that are compiled for several instruction sets, so that it is compiled for each of them too.
+// Inlined into functions that are compiled for several instruction sets, so compiled for each of them.
 #define AUGICP_INLINE [[gnu::always_inline]] inline

@@ -6,7 +6,7 @@
 
 namespace augicp {
 
-// The word of a choice in a table of them; empty where the table lacks it.
+// The word of a value in a table; empty if the table lacks the value.
 template <typename Value>
 std::string word_for(const std::map<std::string, Value>& words, Value value) {
   for (const auto& [word, meaning] : words)

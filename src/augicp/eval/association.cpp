@@ -13,13 +13,13 @@
 namespace augicp {
 namespace {
 
-// The stamps of both trajectories in one order. The closest two of different trajectories always stand side by side in
-// it, also after others were taken out; so only neighbours have to be looked at.
+// The stamps of both trajectories in one order. The closest two of different trajectories are always neighbours in it,
+// also after others were removed. So only neighbours are compared.
 struct Entry {
   double stamp_s = 0.0;
   std::size_t index = 0;
   bool of_estimate = false;
-  std::size_t before = 0, after = 0;  // neighbours that are still there; the first and last entry are none
+  std::size_t before = 0, after = 0;  // neighbours that are still present; the first and last entry are sentinels
   bool taken = false;
 };
 

@@ -23,21 +23,21 @@ struct PoseStatistics {
   Statistics translation, rotation;  // metres, radians
 };
 
-// How far an estimated trajectory is from the true one.
+// Errors of an estimated trajectory against the true one.
 struct Evaluation {
   EvaluationOptions options;
-  std::size_t num_estimate = 0, num_truth = 0;     // poses that were given
-  std::size_t num_matched = 0;                     // of the estimate, with a true pose of the same moment
+  std::size_t num_estimate = 0, num_truth = 0;     // poses in the inputs
+  std::size_t num_matched = 0;                     // poses of the estimate with a true pose of the same moment
   double matched_share = 0.0;                      // num_matched / num_estimate
-  double first_stamp_s = 0.0, last_stamp_s = 0.0;  // of the matched poses, by the truth's clock
-  PoseStatistics absolute;                         // the worlds as they are, not aligned
-  RigidFit alignment;                              // from the estimate's world to the true one
-  std::optional<PoseStatistics> aligned;           // absolute, after the alignment; nothing for Alignment::None
-  std::optional<PoseStatistics> relative;          // with the alignment's scale; nothing where no pair is delta apart
+  double first_stamp_s = 0.0, last_stamp_s = 0.0;  // of the matched poses, in the clock of the truth
+  PoseStatistics absolute;                         // not aligned
+  RigidFit alignment;                              // maps the estimate's world to the true one
+  std::optional<PoseStatistics> aligned;           // absolute, after the alignment; empty for Alignment::None
+  std::optional<PoseStatistics> relative;          // with the alignment's scale; empty if no two poses are delta apart
 };
 
-// Both trajectories are world_from_camera, each in its own world. Throws std::invalid_argument for options out of
-// range, and where the trajectories cannot be compared: see match_poses, fit_rigid and statistics_of.
+// Compares two trajectories world_from_camera, each in its own world. Throws std::invalid_argument for options out of
+// range, and if the trajectories cannot be compared: see match_poses, fit_rigid and statistics_of.
 Evaluation evaluate(const Trajectory& estimate, const Trajectory& truth, const EvaluationOptions& options = {});
 
 }  // namespace augicp

@@ -41,8 +41,9 @@ struct Unit {
 };
 constexpr Unit kUnits[] = {{"milliseconds", 1e3}, {"microseconds", 1e6}, {"nanoseconds", 1e9}};
 
-// Says of which trajectory the stamps are not seconds: with another unit half of the shorter one would match, and five
-// times as many as do. A few milliseconds meet the truth's seconds by chance, at the zero of both.
+// The trajectory whose stamps are not in seconds, if any: in another unit half of the shorter trajectory would match,
+// and five times as many poses as now. A few milliseconds can match the truth's seconds by chance, near the zero of
+// both.
 std::optional<std::string> wrong_unit(const Trajectory& estimate, const Trajectory& truth,
                                       const AssociationOptions& options, std::size_t num_matched) {
   const std::size_t shorter = std::min(estimate.size(), truth.size());
@@ -60,7 +61,7 @@ std::optional<std::string> wrong_unit(const Trajectory& estimate, const Trajecto
   return std::nullopt;
 }
 
-// What to look at where nothing matches in any unit: the clocks differ, and perhaps the units too.
+// Advice if nothing matches in any unit: the clocks differ, and perhaps the units too.
 std::string advice(const Trajectory& estimate, const Trajectory& truth) {
   const auto duration = [](const Trajectory& t) { return t.empty() ? 0.0 : t.back().stamp_s - t.front().stamp_s; };
   const double ratio = duration(estimate) / duration(truth);

@@ -13,14 +13,14 @@ enum class TruthReading {
   Interpolated,  // between two of its poses at most twice max_difference_s apart, see pose_at()
 };
 
-// What was estimated of a moment, and what was true. Each pose is world_from_camera, the two worlds need not be one.
+// The estimated and the true pose of a moment. Each is world_from_camera; the two worlds may differ.
 struct MatchedPose {
-  double stamp_s = 0.0;  // of the estimate, with the time offset
+  double stamp_s = 0.0;  // of the estimate, time offset included
   Rigid3 estimate, truth;
 };
 
-// The poses that both trajectories have, in the order of their stamps; at least one. Throws std::invalid_argument where
-// stamps do not increase (see check_order), where nothing matches, and where few match but most would if one of the two
+// The poses that both trajectories have, in the order of their stamps; at least one. Throws std::invalid_argument if
+// stamps do not increase (see check_order), if nothing matches, and if few poses match but most would if one of the two
 // had its stamps in milli-, micro- or nanoseconds.
 std::vector<MatchedPose> match_poses(const Trajectory& estimate, const Trajectory& truth,
                                      const AssociationOptions& options = {},

@@ -10,7 +10,7 @@
 namespace augicp {
 namespace {
 
-// How far along the trajectory each pose is; never less than the one before.
+// The progress of each pose along the trajectory; never decreasing.
 std::vector<double> progress_of(std::span<const MatchedPose> poses, DeltaUnit unit) {
   std::vector<double> progress(poses.size(), 0.0);
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -22,19 +22,20 @@ std::vector<double> progress_of(std::span<const MatchedPose> poses, DeltaUnit un
   return progress;
 }
 
-// The first pose behind begin that is at least a distance away from it; progress.size() if there is none.
+// The first pose after begin that is at least a distance away from it; progress.size() if there is none.
 std::size_t first_at(std::span<const double> progress, std::size_t begin, double distance) {
   const auto is_before = [&](double value) { return value - progress[begin] < distance; };
   const auto behind = progress.begin() + static_cast<std::ptrdiff_t>(begin) + 1;
   return static_cast<std::size_t>(std::partition_point(behind, progress.end(), is_before) - progress.begin());
 }
 
-// The pose behind begin whose distance from it is nearest to delta; nothing behind the last pose.
+// The pose after begin whose distance from it is nearest to delta; empty after the last pose.
 std::optional<std::size_t> nearest_to(std::span<const double> progress, std::size_t begin, double delta) {
   const auto distance = [&](std::size_t i) { return progress[i] - progress[begin]; };
   const std::size_t above = first_at(progress, begin, delta);
   if (above == begin + 1) return above < progress.size() ? std::optional(above) : std::nullopt;
-  const std::size_t below = first_at(progress, begin, distance(above - 1));  // the first of a camera that stands still
+  const std::size_t below =
+      first_at(progress, begin, distance(above - 1));  // the first pose while the camera stands still
   const bool above_is_nearer = above < progress.size() && distance(above) - delta < delta - distance(below);
   return above_is_nearer ? above : below;
 }

@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-// Eqs. (34) to (38).
+// Umeyama 1991, equations 34 to 38.
 struct Moments {
   Vec3d source_mean = Vec3d::Zero(), target_mean = Vec3d::Zero();
   double source_variance = 0.0;
@@ -38,17 +38,17 @@ Moments moments_of(std::span<const Vec3d> source, std::span<const Vec3d> target)
 
 struct Turn {
   Eigen::Quaterniond rotation;
-  double trace = 0.0;  // of D S, which the scale is made of
+  double trace = 0.0;  // trace of D S, for the scale
   bool unique = true;
 };
 
-// Eqs. (39), (40) and (43).
+// Equations 39, 40 and 43.
 Turn turn_of(const Mat3d& covariance) {
   const Eigen::JacobiSVD<Mat3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Mat3d &u = svd.matrixU(), &v = svd.matrixV();
   const Vec3d& d = svd.singularValues();
   if (d(0) == 0.0) return {Eigen::Quaterniond::Identity(), 0.0, false};
-  // The second value falls with the square of the distance from the line.
+  // The second singular value falls with the square of the distance from the line.
   constexpr double kFlat = 1e-12;
   if (d(1) <= kFlat * d(0)) return {Eigen::Quaterniond::FromTwoVectors(v.col(0), u.col(0)), d(0), false};
   const Vec3d signs(1.0, 1.0, u.determinant() * v.determinant() < 0.0 ? -1.0 : 1.0);

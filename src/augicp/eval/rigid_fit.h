@@ -17,22 +17,22 @@ struct Similarity3 {
 
 Vec3d operator*(const Similarity3& b_from_a, const Vec3d& x_in_a);
 
-// The pose of a body, a_from_body, told in frame b: its place is scaled, its orientation only turned.
+// The pose of a body, a_from_body, in frame b: its position is scaled, its orientation only rotated.
 Rigid3 operator*(const Similarity3& b_from_a, const Rigid3& a_from_body);
 
 struct RigidFit {
   Similarity3 target_from_source;
-  // False where the points leave more than one best answer: fewer than three, all of a set on one line (to within a
-  // millionth of its length), or a mirrored set with a symmetry. The sum of squares is the least still. Along a line
-  // the rotation is the smallest of the best ones, and does not turn about the line; for equal points there is none.
+  // False if several rotations fit equally well: fewer than three points, all points of a set on one line (to within a
+  // millionth of its length), or a mirrored set with a symmetry. The sum of squares is still the least. For points on a
+  // line the rotation is the smallest of the best ones, without a rotation about the line; for equal points it is none.
   bool unique = true;
 };
 
-// Minimises sum |target_i - target_from_source * source_i|^2. Never a reflection. Throws std::invalid_argument for no
-// points, unequal counts, and coordinates that are not finite or so large that their squares are not.
+// Minimises sum |target_i - target_from_source * source_i|^2. Never returns a reflection. Throws std::invalid_argument
+// for no points, unequal counts, and coordinates that are not finite or whose squares overflow.
 RigidFit fit_rigid(std::span<const Vec3d> source, std::span<const Vec3d> target);
 
-// The same, with the best scale, which is at least 0; 1 where all source points are equal.
+// The same, with the best scale, which is at least 0; 1 if all source points are equal.
 RigidFit fit_similarity(std::span<const Vec3d> source, std::span<const Vec3d> target);
 
 }  // namespace augicp

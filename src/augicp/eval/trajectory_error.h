@@ -11,27 +11,27 @@
 
 namespace augicp {
 
-// How the estimate's world is laid on the true one.
+// How the estimate's world is aligned with the true one.
 enum class Alignment {
-  None,        // as it is
+  None,        // not aligned
   Origin,      // the first poses are made equal
-  Rigid,       // the positions of all poses, by least squares
-  Similarity,  // the same with a scale: for estimates that cannot know it
+  Rigid,       // least squares over the positions of all poses
+  Similarity,  // the same with a scale, for estimates of unknown scale
 };
 
-// The motion from the estimate's world to the true one. Throws std::invalid_argument for no poses, see also fit_rigid.
+// The motion from the estimate's world to the true one. Throws std::invalid_argument for no poses; see also fit_rigid.
 RigidFit align_to_truth(std::span<const MatchedPose> poses, Alignment alignment);
 
 struct PoseErrors {
   std::vector<double> translation, rotation;  // metres; radians in [0, pi]
 };
 
-// Of each pose: with E = truth^-1 (truth_from_estimate * estimate), the length of E's translation, which is the
+// For each pose, with E = truth^-1 (truth_from_estimate * estimate): the length of E's translation, which is the
 // distance between the two positions, and the angle of its rotation.
 PoseErrors absolute_errors(std::span<const MatchedPose> poses, const Similarity3& truth_from_estimate = {});
 
-// Of each pair i, j: with E = (truth_i^-1 truth_j)^-1 (estimate_i^-1 estimate_j), the length of E's translation and the
-// angle of its rotation. Neither changes with the frame of either world. The estimate's positions are multiplied by
+// For each pair i, j, with E = (truth_i^-1 truth_j)^-1 (estimate_i^-1 estimate_j): the length of E's translation and
+// the angle of its rotation. Neither depends on the frames of the worlds. The estimate's positions are multiplied by
 // scale first.
 PoseErrors relative_errors(std::span<const MatchedPose> poses, std::span<const PosePair> pairs, double scale = 1.0);
 

@@ -12,7 +12,7 @@ namespace augicp::testing {
 
 inline constexpr double kStart_s = 1305031452.0;
 
-// Where a camera is that wanders about a few metres and looks around, seconds after its start.
+// The pose of a camera that wanders a few metres and looks around, at seconds after its start.
 inline Rigid3 wandering_pose(double time_s) {
   const Vec3d turn(0.4 * std::sin(0.7 * time_s), 0.9 * std::sin(0.3 * time_s), 0.5 * std::cos(1.1 * time_s));
   return {rotation_exp(turn), {std::sin(0.5 * time_s), 0.3 * std::cos(0.9 * time_s), 0.2 * time_s}};
@@ -25,7 +25,7 @@ inline Trajectory wandering(double rate_hz = 30.0, double duration_s = 5.0, doub
   return trajectory;
 }
 
-// The same poses told in another world.
+// The same poses in another world.
 inline Trajectory moved(const Rigid3& new_from_old, Trajectory trajectory) {
   for (StampedPose& pose : trajectory) pose.world_from_camera = new_from_old * pose.world_from_camera;
   return trajectory;

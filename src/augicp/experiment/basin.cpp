@@ -22,12 +22,12 @@ Vec3d middle_of(const Cloud& cloud) {
   return cloud.empty() ? cloud.origin : Vec3d(cloud.origin + median_point(cloud).cast<double>());
 }
 
-// About the middle of the points, or the turn would move far clouds by far more than the distance.
+// About the centroid of the points: a rotation about zero would move far clouds by much more than the distance.
 Rigid3 disturbed(const Rigid3& truth, const Rigid3& motion, const Vec3d& middle) {
   return truth * Rigid3{motion.rotation, middle + motion.translation - motion.rotation * middle};
 }
 
-// Weights of the trapezoid rule for the mean over an axis.
+// Weights of the trapezoidal rule for the mean over an axis.
 std::vector<double> trapezoid_weights(const std::vector<double>& places) {
   const double length = places.back() - places.front();
   std::vector<double> weights(places.size(), length > 0.0 ? 0.0 : 1.0 / static_cast<double>(places.size()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From how far away a registration still finds the truth.
+// The basin of convergence: from which starts a registration finds the truth.
 #pragma once
 
 #include <functional>
@@ -13,16 +13,16 @@
 namespace augicp {
 
 struct BasinOptions {
-  // Each ascending and at least 0: the start is the truth turned by the angle about an axis through the middle of the
-  // source's points, and moved by the distance, both in random directions.
+  // Each ascending and at least 0. A start is the truth, rotated by the angle about an axis through the centroid of the
+  // source and moved by the distance, both in random directions.
   std::vector<double> angles_rad{};
   std::vector<double> distances{};  // metres
 
-  std::size_t num_starts = 10;  // for each angle and distance
+  std::size_t num_starts = 10;  // per angle and distance
   unsigned seed = 1;
 
-  // Ends nearer to the truth than this are a success. Not set: the radius of the ball in which surfaces are estimated,
-  // and 2 degrees.
+  // A start that ends within this of the truth is a success. Empty: the radius of the ball for surface estimation, and
+  // 2 degrees.
   std::optional<PoseError> limit;
 
   RegistrationOptions registration;
@@ -33,20 +33,20 @@ struct BasinOptions {
 
 struct BasinCell {
   double angle_rad = 0.0, distance = 0.0;
-  double success = 0.0;          // share of the starts
+  double success = 0.0;          // share of the starts that succeed
   double mean_iterations = 0.0;  // of all starts
 };
 
-// One cell for each angle and distance, distances changing first. The scans are prepared once. on_start is called after
-// each start.
+// One cell per angle and distance, distances changing first. The scans are prepared once. on_start is called after each
+// start.
 std::vector<BasinCell> run_basin(const Scan& source, const Scan& target, const Rigid3& true_target_from_source,
                                  const BasinOptions& options, const std::function<void()>& on_start);
 
 // The limit that run_basin uses for these scans.
 PoseError basin_limit(const Scan& source, const Scan& target, const BasinOptions& options);
 
-// The mean of the success over the surface, straight between the cells of run_basin, in [0, 1]. An axis with a single
-// value counts as that value.
+// The mean success over the surface, linear between the cells of run_basin, in [0, 1]. An axis with a single value
+// counts as that value.
 double area_under(std::span<const BasinCell> cells, const BasinOptions& options);
 
 }  // namespace augicp

@@ -5,13 +5,14 @@
 
 namespace augicp {
 
-// How far a motion is from the true one.
+// Error of a motion.
 struct PoseError {
   double translation = 0.0;  // metres
   double rotation = 0.0;     // radians in [0, pi]
 };
 
-// Of E = truth^-1 found: the length of its translation, which is the distance between both translations, and its angle.
+// For E = truth^-1 found: the length of its translation, which is the distance between both translations, and its
+// angle.
 inline PoseError pose_error(const Rigid3& found, const Rigid3& truth) {
   return {(found.translation - truth.translation).norm(), angle_between(found, truth)};
 }

@@ -10,7 +10,7 @@
 namespace augicp {
 namespace {
 
-// Registration estimates only surfaces that are missing: here are those it would not.
+// Registration estimates only missing surfaces. This estimates the kinds that it does not.
 void estimate_unusual_surface(Scan& scan, const Lengths& lengths, const RegistrationOptions& registration,
                               Surroundings surroundings) {
   if (surroundings == Surroundings::Window || scan.cloud.empty() || !(lengths.radius > 0.0)) return;

@@ -11,16 +11,16 @@ namespace augicp {
 
 struct PreparedFrame {
   double stamp_s = 0.0;
-  std::vector<Scan> scans;  // one for each of the presets
+  std::vector<Scan> scans;  // one per preset
 };
 
-// The frames of a sequence with their surfaces, made when first asked for. What it is made from must outlive it.
+// The frames of a sequence with their surfaces, made on first use. REQUIRES: its inputs outlive it.
 class PreparedFrames {
  public:
   PreparedFrames(const DepthSequence& sequence, const DepthCamera& camera, const SequenceOptions& options)
       : sequence_(sequence), camera_(camera), options_(options) {}
 
-  // Valid until it is forgotten. Throws IoError where the image cannot be read.
+  // Valid until the frame is forgotten. Throws IoError if the image cannot be read.
   const PreparedFrame& at(std::size_t frame);
 
   void forget_before(std::size_t frame) { frames_.erase(frames_.begin(), frames_.lower_bound(frame)); }
@@ -34,7 +34,7 @@ class PreparedFrames {
   std::map<std::size_t, PreparedFrame> frames_;
 };
 
-// What concerns single frames.
+// Options of single frames.
 RegistrationOptions frame_options(Preset preset, const SequenceOptions& options);
 
 }  // namespace augicp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random numbers that are the same on every platform, unlike those of the std distributions: they use only the
-// generator's bits.
+// Random numbers that are the same on every platform, unlike the std distributions: they use only the bits of the
+// generator.
 #pragma once
 
 #include <random>

@@ -10,9 +10,9 @@
 
 namespace augicp {
 
-// Which points surfaces are estimated from.
+// The neighbourhood for surface estimation.
 enum class Surroundings {
-  Window,  // registration's own, see WindowNeighbourhood
+  Window,  // the default of registration, see WindowNeighbourhood
   Square,  // see SquareNeighbourhood
   Ball,    // see ExactWindowNeighbourhood; slow
 };
@@ -22,22 +22,22 @@ struct SequenceOptions {
   std::vector<Preset> presets{Preset::Default, Preset::Paper};
   std::vector<Method> methods{Method::Point, Method::Plane, Method::Gicp, Method::Augmented};
   Surroundings surroundings = Surroundings::Window;
-  int iterations = 10;  // exactly so many
+  int iterations = 10;  // exact number
 
-  // Targets are every so many frames of those that have a source at every gap, and then, evenly spread, at most so many
-  // of these. 0: all.
+  // Targets are every N-th of the frames that have a source at every gap, and then at most max_targets of these, evenly
+  // spread. 0: all.
   std::size_t every = 1;
   std::size_t max_targets = 0;
 
-  int pixel_step = 1;  // every so many pixels of every so many rows
+  int pixel_step = 1;  // use every N-th pixel of every N-th row
 
-  // What all registrations share: its preset, method, association, iterations and least step are not used. Where it has
-  // no radius, each frame has its own, see derive_lengths(). The result is the same for any number of threads.
-  // What comes before the iterations is off, so that methods compare iteration by iteration.
+  // Options shared by all registrations; preset, method, association, iterations and least step are not used. Without a
+  // radius each frame has its own, see derive_lengths(). Bit-identical for any number of threads. The steps before the
+  // iterations are off, so that methods compare iteration by iteration.
   RegistrationOptions registration = iterations_alone();
 
-  // Where registrations start: at the motion of a trajectory, read at the stamps + an offset; not set, or where it has
-  // none: the identity.
+  // Start of the registrations: the motion of a trajectory, read at the stamps + an offset. Empty, or if the trajectory
+  // has none: the identity.
   struct Guess {
     Trajectory trajectory;
     double time_offset_s = 0.0;
@@ -55,18 +55,18 @@ struct SequenceCurve {
   Preset preset = Preset::Default;
   Method method = Method::Augmented;
   AlignStatus status = AlignStatus::TooFewPairs;
-  std::vector<Rigid3>
-      path;  // target_from_source: the guess, and after each iteration; a run that had to stop repeats its last
+  std::vector<Rigid3> path;  // target_from_source: the guess, and the pose after each iteration; a run that had to stop
+                             // repeats its last pose
 
   std::size_t gap() const { return source - target; }
 };
 
-// The targets asked for. Throws std::invalid_argument where the sequence is not longer than the largest gap.
+// The selected targets. Throws std::invalid_argument if the sequence is not longer than the largest gap.
 std::vector<std::size_t> chosen_targets(std::size_t num_frames, const SequenceOptions& options);
 
-// In the order of targets, gaps, presets, methods. Surfaces are estimated once a frame and preset and kept while they
-// are needed; the search for pairs is the same for all methods. on_target is called after each target. Throws IoError
-// where an image cannot be read.
+// In the order of targets, gaps, presets, methods. Surfaces are estimated once per frame and preset, and kept while
+// needed. The search for pairs is the same for all methods. on_target is called after each target. Throws IoError if an
+// image cannot be read.
 std::vector<SequenceCurve> run_sequence(const DepthSequence& sequence, const DepthCamera& camera,
                                         const SequenceOptions& options, const std::function<void()>& on_target);
 

@@ -12,25 +12,26 @@
 
 namespace augicp {
 
-// The true target_from_source of a curve, with the truth read between its poses at the frames' stamps + time_offset_s.
-// Nothing where the truth does not reach or has a hole of more than 0.1 s.
+// The true target_from_source of a curve: the truth is interpolated at the frames' stamps + time_offset_s. Empty if the
+// truth does not cover them, or has a hole of more than 0.1 s.
 std::optional<Rigid3> true_motion(const SequenceCurve& curve, const Trajectory& truth, double time_offset_s);
 
-// By how much a sequence's stamps are off its truth's clock.
+// The offset between the stamps of a sequence and the clock of its truth.
 struct TimeOffset {
-  double offset_s = 0.0;         // the truth is best read at stamp + offset
-  double spread_s = 0.0;         // largest less smallest of the offsets that three disjoint thirds of the pairs give
-  double median_rotation = 0.0;  // disagreement with it, radians
+  double offset_s = 0.0;         // read the truth at stamp + offset
+  double spread_s = 0.0;         // largest minus smallest offset of three disjoint thirds of the pairs
+  double median_rotation = 0.0;  // angle to the truth at this offset, radians
   double median_rotation_at_0 = 0.0;
   std::size_t num_pairs = 0;
 };
 
-// The run that finds the offset of a sequence: up to 100 pairs of neighbouring frames, with the defaults, thinned.
+// Options of the run that finds the offset of a sequence: up to 100 pairs of neighbouring frames, with the defaults,
+// downsampled.
 SequenceOptions time_offset_options(const SequenceOptions& options);
 
-// The offset in [-0.1, 0.1] s with the least angle between registered (the paths' ends) and true rotation, in the mean
-// of the better nine tenths, to 0.1 ms. For curves of a small gap; throws std::invalid_argument where fewer than nine
-// of them have a true motion at all these offsets.
+// The offset in [-0.1, 0.1] s with the least angle between the registered rotation (the end of a path) and the true
+// one, in the mean of the better nine tenths, to 0.1 ms. For curves of a small gap. Throws std::invalid_argument if
+// fewer than nine of them have a true motion at all these offsets.
 TimeOffset find_time_offset(std::span<const SequenceCurve> curves, const Trajectory& truth);
 
 // The errors of all pairs of one kind after one iteration.
@@ -40,14 +41,14 @@ struct SequenceRow {
   Preset preset = Preset::Default;
   Method method = Method::Augmented;
   int iteration = 0;             // 0: the guess
-  std::size_t num_pairs = 0;     // with a true motion
+  std::size_t num_pairs = 0;     // pairs with a true motion
   Spread translation, rotation;  // metres, radians
   double success = 0.0;          // share within 5 cm and 2 degrees
   double success_narrow = 0.0;   // within 2 cm and 1 degree
 };
 
-// One row for each kind and iteration; kinds in the order in which they first appear. Kinds without any true motion are
-// left out.
+// One row per kind and iteration; kinds in the order in which they first appear. Kinds without any true motion are left
+// out.
 std::vector<SequenceRow> summarize(std::span<const SequenceCurve> curves, const Trajectory& truth,
                                    double time_offset_s);
 

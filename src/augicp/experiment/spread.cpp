@@ -12,7 +12,8 @@
 namespace augicp {
 namespace {
 
-// Share of Student's distribution within -t and t, for whole degrees of freedom (Abramowitz and Stegun 26.7.3, 26.7.4).
+// The share of Student's distribution between -t and t, for whole degrees of freedom (Abramowitz and Stegun 26.7.3,
+// 26.7.4).
 double student_share_within(double t, std::size_t degrees_of_freedom) {
   const double angle = std::atan(t / std::sqrt(static_cast<double>(degrees_of_freedom)));
   const double cosine = std::cos(angle), sine = std::sin(angle);
@@ -46,7 +47,7 @@ Spread spread_of(std::span<const double> values) {
 MeanInterval mean_interval(std::span<const double> values) {
   const Statistics statistics = statistics_of(values);
   if (values.size() < 2) return {statistics.mean, std::numeric_limits<double>::infinity()};
-  // statistics.std is divided by the count, the estimate of a mean's error by one less.
+  // statistics.std divides by the count; the standard error of a mean divides by one less.
   const double degrees_of_freedom = static_cast<double>(values.size() - 1);
   return {statistics.mean, student_quantile(0.975, values.size() - 1) * statistics.std / std::sqrt(degrees_of_freedom)};
 }

@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-// Steps below are lost in the last digits of float points: the pose no longer moves.
+// Smaller steps are lost in the last digits of float points: the pose no longer moves.
 constexpr double kNoStep = 1e-12;
 
 AlignOptions options_for(Method method, const KnownPairs& known, const SyntheticOptions& options) {
@@ -22,7 +22,7 @@ AlignOptions options_for(Method method, const KnownPairs& known, const Synthetic
                        registration);
 }
 
-// The loop of section 3.3 without its search: the errors of the guess and after each iteration.
+// The iteration of section 3.3 without the search for pairs: the errors of the guess and after each iteration.
 std::vector<PoseError> run_known_pairs(const KnownPairs& known, const AlignOptions& align,
                                        const SyntheticOptions& options) {
   Rigid3 pose;

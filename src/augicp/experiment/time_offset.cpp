@@ -10,10 +10,10 @@
 namespace augicp {
 namespace {
 
-// Offsets are counted in steps of 0.1 ms: first tried every 2 ms, then each step around the best.
+// Offsets are multiples of 0.1 ms: first every 2 ms is tried, then each step around the best.
 constexpr double kStep_s = 1e-4;
 constexpr int kReach = 1000, kCoarse = 20;
-constexpr std::size_t kMinPairs = 9;  // three for each third
+constexpr std::size_t kMinPairs = 9;  // three per third
 
 using Curves = std::vector<const SequenceCurve*>;
 
@@ -28,7 +28,7 @@ double median_disagreement(const Curves& curves, const Trajectory& truth, double
   return quantile(disagreements(curves, truth, offset_s), 0.5);
 }
 
-// Mean of the better nine tenths: some registrations fail, and a median would be decided by one or two of them.
+// Mean of the better nine tenths. Some registrations fail; a median would depend on one or two pairs.
 double robust_disagreement(const Curves& curves, const Trajectory& truth, double offset_s) {
   std::vector<double> angles = disagreements(curves, truth, offset_s);
   std::sort(angles.begin(), angles.end());

@@ -20,7 +20,7 @@ Vec3d operator*(const Rigid3& b_from_a, const Vec3d& x_in_a) {
 }
 
 Rigid3 operator*(const Rigid3& c_from_b, const Rigid3& b_from_a) {
-  // Normalised, so that a long chain of products stays a rotation.
+  // Normalised, so that a long chain of products remains a rotation.
   return {(c_from_b.rotation * b_from_a.rotation).normalized(), c_from_b * b_from_a.translation};
 }
 

@@ -7,8 +7,8 @@
 
 namespace augicp {
 
-// A rigid motion. Named b_from_a: x_in_b = b_from_a * x_in_a. The rotation is a unit quaternion; every function here
-// keeps it so. Translation in metres.
+// A rigid motion. b_from_a maps coordinates in frame a to frame b: x_in_b = b_from_a * x_in_a. The rotation is a unit
+// quaternion; every function here preserves this. Translation in metres.
 struct Rigid3 {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Vec3d translation = Vec3d::Zero();
@@ -16,7 +16,7 @@ struct Rigid3 {
   Mat4d matrix() const;
 };
 
-// The same motion in float, as a matrix, for many points whose last digits do not count.
+// The same motion in float, as a matrix: for many points whose last digits do not matter.
 struct Rigid3f {
   Eigen::Matrix3f rotation;
   Vec3f translation;
@@ -27,7 +27,7 @@ struct Rigid3f {
   Vec3f operator*(const Vec3f& x_in_a) const { return rotation * x_in_a + translation; }
 };
 
-// Eq. (4): the affine part of an extended point is rotated and translated. (The linear part, Eq. (7), is rotated only.)
+// Eq. (4): the affine part of an extended point is rotated and translated. (The linear part, Eq. (7), is only rotated.)
 Vec3d operator*(const Rigid3& b_from_a, const Vec3d& x_in_a);
 
 // c_from_a = c_from_b * b_from_a.
@@ -37,18 +37,18 @@ Rigid3 operator*(const Rigid3& c_from_b, const Rigid3& b_from_a);
 Rigid3 inverse(const Rigid3& b_from_a);
 
 // The rigid motion of a homogeneous matrix. Throws std::invalid_argument unless the matrix is finite, its last row is
-// (0 0 0 1), its determinant is positive and its rotation part is orthonormal to within tolerance (files carry as few
-// as four digits); what deviation is left is removed by taking the nearest rotation.
+// (0 0 0 1), its determinant is positive, and its rotation part is orthonormal to within tolerance. Files may have as
+// few as four digits, so the result is the nearest rotation.
 Rigid3 rigid3_from_matrix(const Mat4d& matrix, double tolerance = 1e-3);
 
 // Moves a pose by an increment: translation first, rotation vector second, applied on the left, that is, in the target
-// frame: (t, exp(r)) * pose. The one place that fixes this convention.
+// frame: (t, exp(r)) * pose. This is the only place that fixes the convention.
 Rigid3 retract(const Rigid3& pose, const Vec6d& increment);
 
 // The increment with retract(from, result) = to.
 Vec6d increment_between(const Rigid3& from, const Rigid3& to);
 
-// Angle of the rotation that remains between two poses, radians in [0, pi].
+// The angle between the rotations of two poses, radians in [0, pi].
 double angle_between(const Rigid3& a, const Rigid3& b);
 
 }  // namespace augicp

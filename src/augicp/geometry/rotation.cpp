@@ -7,14 +7,14 @@ namespace augicp {
 
 Eigen::Quaterniond rotation_exp(const Vec3d& rotation_vector) {
   const double half_angle = 0.5 * rotation_vector.norm();
-  // sin(x) / x by its series where the quotient loses digits; the next term is below 1e-17.
+  // Series of sin(x) / x for arguments for which the quotient loses digits; the next term is below 1e-17.
   const double sinc = half_angle < 1e-4 ? 1.0 - half_angle * half_angle / 6.0 : std::sin(half_angle) / half_angle;
   const Vec3d imaginary = 0.5 * sinc * rotation_vector;
   return Eigen::Quaterniond(std::cos(half_angle), imaginary.x(), imaginary.y(), imaginary.z()).normalized();
 }
 
 Vec3d rotation_log(const Eigen::Quaterniond& rotation) {
-  // q and -q are the same rotation: the one with w >= 0 turns by at most pi.
+  // q and -q are the same rotation. The one with w >= 0 has an angle of at most pi.
   const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
   const Vec3d imaginary = sign * rotation.vec();
   const double sine = imaginary.norm();

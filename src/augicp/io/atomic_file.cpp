@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-// A link is followed, so that it stays a link when the file behind it is replaced.
+// Follows a link, so that it remains a link when its file is replaced.
 std::filesystem::path behind_links(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_symlink(path, error)) return path;
@@ -32,9 +32,9 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), target_
     if (stream_ == nullptr) fail("cannot be opened for writing");
     return;
   }
-  constexpr int kMaxAttempts = 1000;  // names may be taken by other writers of this process
+  constexpr int kMaxAttempts = 1000;  // other writers of this process may use some names
   for (int attempt = 0; stream_ == nullptr && attempt < kMaxAttempts; ++attempt) {
-    // Not made from the file's name, which may be as long as a name can be.
+    // Not derived from the file's name, which may have the maximal length.
     temporary_ = target_.parent_path() / fmt::format(".augicp-{}-{}.partial", ::getpid(), attempt);
     stream_ = std::fopen(temporary_.c_str(), "wbx");
     if (stream_ == nullptr && errno != EEXIST) break;
@@ -53,7 +53,7 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
-  // Some file systems tell of a full disk only when the file is closed.
+  // Some file systems report a full disk only on close.
   if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail("cannot be written");
   if (temporary_.empty()) return;
   std::error_code error;

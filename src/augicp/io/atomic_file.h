@@ -7,9 +7,9 @@
 
 namespace augicp {
 
-// A file that appears whole or not at all. Bytes go to a temporary file in the same folder, which takes the place of
-// path on commit(); without commit() nothing is left behind. What is not a regular file (a pipe, /dev/stdout) is
-// written directly. Every failure, a full disk too, is an IoError. Not for concurrent use.
+// A file that is whole or absent. Bytes go to a temporary file in the same folder, which commit() renames to path;
+// without commit() nothing remains. Targets that are no regular files (a pipe, /dev/stdout) are written directly. Every
+// failure, such as a full disk, throws IoError. Thread safety: none.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& path);
@@ -23,13 +23,13 @@ class AtomicFile {
  private:
   [[noreturn]] void fail(std::string_view what) const;
 
-  std::filesystem::path path_;       // as the caller named it
-  std::filesystem::path target_;     // behind symbolic links
-  std::filesystem::path temporary_;  // empty where the target is written directly
+  std::filesystem::path path_;       // as given by the caller
+  std::filesystem::path target_;     // with symbolic links resolved
+  std::filesystem::path temporary_;  // empty if the target is written directly
   std::FILE* stream_ = nullptr;
 };
 
-// The whole file in one call.
+// Writes the whole file in one call.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace augicp

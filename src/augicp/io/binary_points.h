@@ -11,8 +11,8 @@
 
 namespace augicp {
 
-// Where the numbers of one column are: that of the point in row v and place u of its row is at
-// offset + v * row_stride + u * stride. Files without rows have one. All in bytes.
+// The positions of the numbers of one column, in bytes: the number of the point in row v and place u of its row is at
+// offset + v * row_stride + u * stride. Files without rows have one row.
 struct BinaryColumn {
   std::size_t offset = 0;
   std::size_t stride = 0;
@@ -20,7 +20,8 @@ struct BinaryColumn {
   ScalarType type = ScalarType::Float32;
 };
 
-// Points in memory, records or columns one after the other. bytes must outlive this and hold every number named.
+// Points in memory, as consecutive records or columns. REQUIRES: bytes outlives this and contains every number that the
+// columns address.
 struct BinaryPoints {
   std::string_view bytes;
   ByteOrder order = ByteOrder::Little;

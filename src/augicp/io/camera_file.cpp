@@ -15,10 +15,10 @@
 namespace augicp {
 namespace {
 
-// A second number above this is a focal length, pixels.
+// If the second number is above this, it is a focal length, pixels.
 constexpr double kMaxSkew = 10.0;
 
-// Of a matrix row by row: fx 0 cx, 0 fy cy, 0 0 1.
+// A matrix row by row: fx 0 cx, 0 fy cy, 0 0 1.
 Pinhole from_matrix(const std::array<double, 9>& k) {
   const std::array<double, 9> expected{k[0], 0.0, k[2], 0.0, k[4], k[5], 0.0, 0.0, 1.0};
   if (k != expected) throw std::invalid_argument("camera: expected the matrix fx 0 cx, 0 fy cy, 0 0 1 (no skew)");
@@ -29,7 +29,8 @@ DepthCamera from_numbers(std::string_view text) {
   const std::vector<double> n = parse_number_list("camera", text, /*max_count=*/9);
   const Pinhole pinhole = n.size() >= 4 ? Pinhole{n[0], n[1], n[2], n[3]} : Pinhole{};
   if (n.size() == 4) return {pinhole, {}};
-  // Nine numbers are a lens behind the pinhole, or a matrix, whose second number is the skew and never a focal length.
+  // Nine numbers are a pinhole with a lens, or a matrix. The second number of a matrix is the skew, never a focal
+  // length.
   if (n.size() == 9 && std::abs(n[1]) > kMaxSkew) return {pinhole, {n[4], n[5], n[6], n[7], n[8]}};
   if (n.size() == 9) return {from_matrix({n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]}), {}};
   throw std::invalid_argument(fmt::format(

@@ -10,10 +10,10 @@
 
 namespace augicp {
 
-// A camera from what a user may write: a known name ("tum-fr1", ...), numbers "fx fy cx cy" with or without a lens's
-// "k1 k2 p1 p2 k3" behind them, or the path of a file with such numbers, a 3x3 intrinsic matrix, or JSON as Open3D
-// writes it (width, height, and intrinsic_matrix column by column), to which "distortion" (the five) and "readout_s"
-// may be added. Throws IoError for a file that is none of these and for an unknown name, with the known ones.
+// A camera from text of a user: a known name ("tum-fr1", ...), numbers "fx fy cx cy", optionally followed by the lens
+// "k1 k2 p1 p2 k3", or the path of a file. The file has such numbers, a 3x3 intrinsic matrix, or JSON as Open3D writes
+// it (width, height, and intrinsic_matrix column by column), optionally with "distortion" (five coefficients) and
+// "readout_s". Throws IoError for any other file, and for an unknown name, with the known names.
 DepthCamera read_camera(const std::string& name_or_path_or_numbers);
 
 // The content of such a file. Throws IoError.

@@ -12,22 +12,22 @@
 namespace augicp {
 namespace {
 
-constexpr double kFarthest = 1e18;  // the squared distance of two points nearer than this fits a float
+constexpr double kFarthest = 1e18;  // the squared distance of two points within this fits into float
 
 bool is_usable(const Vec3d& position) {
   return (position.array().abs() < kFarthest).all();  // NaN fails
 }
 
-// What is infinite, or not a float, was not measured.
+// An infinite intensity, or one beyond float, is unknown.
 float intensity_of(double value) {
   const bool known = std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());  // NaN fails
   return known ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
 }
 
-// Medians over at most this many points, evenly spread over the file: enough for an origin.
+// Medians of at most this many points, evenly spread over the file, suffice for an origin.
 constexpr std::size_t kMaxSample = 4096;
 
-// Medians, so that a few points at zero or at infinity, which stand for "no reading" in many files, do not decide.
+// Medians are robust against the few points at zero or infinity that mean "no reading" in many files.
 struct Spread {
   Vec3d centre = Vec3d::Zero();
   double radius = 0.0;  // median distance from the centre, along the farthest axis
@@ -95,8 +95,8 @@ void CloudBuilder::add_direction(const PointValues& values) {
   cloud.structures.push_back(!usable ? Structure::None : is_edge ? Structure::Edge : Structure::Planar);
 }
 
-// Float has 24 bits. At 8 times the cloud's radius its spacing is below a millionth of the radius, and an origin is not
-// worth having; farther away it is. Rounded to a power of two near the radius, so that subtracting it is exact.
+// Float has 24 bits. Up to 8 times the cloud's radius from zero, its spacing is below a millionth of the radius, and no
+// origin is needed. The origin is rounded to a power of two near the radius, so that subtracting it is exact.
 Vec3d CloudBuilder::suitable_origin() const {
   constexpr double kFarInRadii = 8.0;
   const Spread spread = spread_of(file_.cloud.points);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the numbers of a file to a cloud: dropping what is not finite, choosing the origin, normalising normals. The one
-// place where this is done, for every format.
+// From the numbers of a file to a cloud: drops points that are not finite, chooses the origin, normalises normals. The
+// only place where this is done, for every format.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace augicp {
 
-// The numbers a point may have: x y z, nx ny nz, structure as the number of its enumerator, and intensity.
+// The numbers a point may have: x y z, nx ny nz, structure (the value of its enumerator), and intensity.
 inline constexpr std::size_t kNumRoles = 8;
 using PointValues = std::array<double, kNumRoles>;
 
-// For each role the column that holds it.
+// The column of each role.
 inline constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 struct PointColumns {
   std::array<std::size_t, kNumRoles> of_role{kNoColumn, kNoColumn, kNoColumn, kNoColumn,
@@ -30,22 +30,22 @@ struct PointColumns {
   bool has_intensities() const { return of_role[7] != kNoColumn; }
 };
 
-// Columns by their names, in either case: x y z, nx ny nz or normal_x normal_y normal_z, structure, intensity or
-// scalar_intensity, the first of these where there are several. Normals count only when all three are there. Throws
-// IoError for a missing coordinate, and for a name of these that comes twice.
+// Finds columns by their names, in either case: x y z, nx ny nz or normal_x normal_y normal_z, structure, intensity or
+// scalar_intensity. The first intensity column counts. Normals count only if all three are present. Throws IoError for
+// a missing coordinate, and for a name that occurs twice.
 PointColumns find_columns(const std::filesystem::path& path, std::span<const std::string> names);
 
-// What a file states about its points as a whole.
+// Properties of all points that a file states.
 struct PointTable {
   std::string format;
-  std::uint64_t num_points = 0;  // for text without a count: a bound from above
+  std::uint64_t num_points = 0;  // an upper bound for text without a count
   bool has_normals = false;
-  int width = 0;  // of an organised file's rows; 0: not organised
+  int width = 0;  // row length of an organised file; 0: not organised
   std::optional<Vec3d> viewpoint;
   bool has_intensities = false;
 };
 
-// Takes points in file order.
+// Takes points in the order of the file.
 class CloudBuilder {
  public:
   CloudBuilder(const PointTable& table, const Vec3d& origin);
@@ -58,20 +58,20 @@ class CloudBuilder {
 
   CloudFile file_;
   bool has_intensities_;
-  std::vector<std::int32_t> places_;  // of an organised file: the point in each place
+  std::vector<std::int32_t> places_;  // organised files: the point in each grid cell
   bool is_organised_;
 };
 
-// decode_points adds every point of the file, the same ones at each call: it is called a second time where the cloud
-// turns out to lie far from zero. (Keeping all coordinates as double instead would cost twice the cloud's memory.)
-// The cloud is empty where no point is finite.
+// decode_points adds every point of the file, the same ones at each call. It is called a second time if the cloud turns
+// out to be far from zero. (Keeping all coordinates as double instead would take twice the memory of the cloud.) The
+// cloud is empty if no point is finite.
 CloudFile build_any_cloud(const PointTable& table, const std::function<void(CloudBuilder&)>& decode_points);
 
-// The same for a file. Throws IoError where no point is finite.
+// The same for a file. Throws IoError if no point is finite.
 CloudFile build_cloud(const FileBytes& file, const PointTable& table,
                       const std::function<void(CloudBuilder&)>& decode_points);
 
-// Throws IoError unless 1 <= count <= max_points and the index of a point fits 32 bits.
+// Throws IoError unless 1 <= count <= max_points and the index of a point fits into 32 bits.
 void check_num_points(const std::filesystem::path& path, std::uint64_t count, const ReadOptions& options);
 
 }  // namespace augicp

@@ -12,31 +12,30 @@
 namespace augicp {
 
 struct ReadOptions {
-  std::uint64_t max_points = 100'000'000;  // files that declare or hold more are refused
+  std::uint64_t max_points = 100'000'000;  // files that declare or contain more are refused
 
-  // Numbers a point in a .bin file, of float32 each: KITTI's 4 (x y z intensity), or 3 for bare positions. The file
-  // does not say.
+  // Numbers per point in a .bin file, each a float32: 4 as in KITTI (x y z intensity), or 3 for positions alone. The
+  // file does not state it.
   int num_bin_columns = 4;
 };
 
 struct ReadReport {
   std::string format;                // such as "ply ascii"
-  std::uint64_t num_declared = 0;    // points the file states it has, or has where it states nothing
-  std::uint64_t num_not_finite = 0;  // of these, dropped: NaN, infinite, or beyond 1e18 where squares overflow a float
+  std::uint64_t num_declared = 0;    // number of points that the file states, or contains if it states none
+  std::uint64_t num_not_finite = 0;  // dropped points: NaN, infinite, or beyond 1e18, where squares overflow a float
   bool has_normals = false;
   std::vector<std::string> warnings;  // one sentence each, without the path
 };
 
-// A cloud and what its file said about it.
+// A cloud and the properties of its file.
 //
-// Coordinates are read as double and kept relative to cloud.origin. The origin is zero unless the cloud lies more than
-// 8 times farther from zero than its points lie from each other. Normals become unit directions of Structure::Planar,
-// turned to the viewpoint where there is one; where a file gives no usable normal the structure is None. A column
-// intensity or scalar_intensity, in either case, and KITTI's fourth number become intensities, NaN where they are not
-// finite.
+// Coordinates are read as double and stored relative to cloud.origin. The origin is zero unless the cloud is more than
+// 8 times farther from zero than its points are from each other. Normals become unit directions of Structure::Planar,
+// oriented to the viewpoint if there is one. Without a usable normal the structure is None. A column intensity or
+// scalar_intensity, in either case, and KITTI's fourth number become intensities; NaN if they are not finite.
 struct CloudFile {
   Cloud cloud;                     // never empty, every point finite
-  std::optional<IndexImage> grid;  // of organised files (several rows): which point is in which pixel
+  std::optional<IndexImage> grid;  // organised files (several rows): the point in each pixel
   ReadReport report;
 };
 

@@ -17,7 +17,7 @@ constexpr std::size_t kBufferBytes = 1 << 20;
 template <typename T>
 void append(std::string& out, T value, FileEncoding encoding) {
   if (encoding == FileEncoding::Ascii) {
-    fmt::format_to(std::back_inserter(out), "{} ", value);  // the fewest digits that give the same bits again
+    fmt::format_to(std::back_inserter(out), "{} ", value);  // the shortest digits that read back exactly
     return;
   }
   char bytes[sizeof(T)];

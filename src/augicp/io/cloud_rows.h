@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows that the PLY and the PCD writer have in common.
+// Rows shared by the PLY and the PCD writer.
 #pragma once
 
 #include <span>
@@ -17,12 +17,12 @@ struct RowColumn {
   ScalarType type;
 };
 
-// The columns of a cloud: x y z, as double where an origin must be added; nx ny nz and structure where it has
-// directions; intensity where it has any; red green blue where colours has any. Throws std::invalid_argument for a
-// cloud without points, and where colours, structures or intensities are not as many as the points.
+// The columns of a cloud: x y z, as double if there is an origin to add; nx ny nz and structure if it has directions;
+// intensity if it has intensities; red green blue if colours is not empty. Throws std::invalid_argument for a cloud
+// without points, and if the number of colours, structures or intensities differs from the number of points.
 std::vector<RowColumn> row_columns(const Cloud& cloud, std::span<const Colour> colours);
 
-// Writes all rows: packed little-endian records, or lines of numbers with as many digits as they need.
+// Writes all rows: packed little-endian records, or lines of numbers with the shortest digits that read back exactly.
 void write_rows(AtomicFile& file, const Cloud& cloud, std::span<const Colour> colours, FileEncoding encoding);
 
 }  // namespace augicp

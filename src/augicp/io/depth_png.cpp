@@ -19,7 +19,7 @@
 namespace augicp {
 namespace {
 
-// Read as no reading, see depth_image().
+// Counts as no reading, see depth_image().
 constexpr std::uint16_t kOutOfRange = 65535;
 
 std::uint16_t grey(float depth, double depth_scale) {
@@ -49,7 +49,7 @@ bool tells_depth_scale(const DepthImage& image) {
 }
 
 std::optional<std::string> depth_scale_problem(const DepthImage& image, double depth_scale) {
-  constexpr float kNearest = 0.05f, kFarthest = 200.0f;  // metres; depth cameras and LiDARs measure between
+  constexpr float kNearest = 0.05f, kFarthest = 200.0f;  // metres; the range of depth cameras and LiDARs
   std::vector<float> readings;
   std::copy_if(image.depth.begin(), image.depth.end(), std::back_inserter(readings),
                [](float z) { return !std::isnan(z); });

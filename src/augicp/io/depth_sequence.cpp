@@ -22,7 +22,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, ignored);
 }
 
-// A damaged truth does not keep anyone from tracking.
+// A damaged truth does not prevent tracking.
 void read_truth(const fs::path& folder, DepthSequence& sequence) {
   const fs::path path = folder / "groundtruth.txt";
   if (!is_there(path)) return;
@@ -41,7 +41,7 @@ std::optional<Rigid3> pose_in(const fs::path& file) {
   }
 }
 
-// Beside each image of 7-Scenes lies its pose as a matrix; its makers filled in "-1.#IND" where they lost the camera.
+// 7-Scenes has a pose, as a matrix, beside each image; its authors wrote "-1.#IND" if tracking was lost.
 std::optional<Trajectory> seven_scenes_truth(const std::vector<DepthFrameFile>& frames) {
   Trajectory truth;
   for (const DepthFrameFile& frame : frames) {
@@ -52,8 +52,8 @@ std::optional<Trajectory> seven_scenes_truth(const std::vector<DepthFrameFile>& 
   return truth.empty() ? std::nullopt : std::optional(truth);
 }
 
-// Instead of the layout's, where the folder names one. A damaged file does not keep those who know the camera from
-// tracking.
+// A camera file in the folder replaces the layout's camera. A damaged file does not stop users who give the camera
+// themselves.
 void read_camera_in(const fs::path& folder, DepthSequence& sequence) {
   for (const char* name : {"camera.json", "camera.txt", "camera-intrinsics.txt"}) {
     if (!is_there(folder / name)) continue;

@@ -10,7 +10,7 @@ namespace {
 constexpr int kBits = 8;
 constexpr double kLargest = 255.0;
 
-// 0: none that is known.
+// 0: unsupported.
 std::size_t num_channels(const PngReader& png) {
   if (png.is(kBits, SPNG_COLOR_TYPE_GRAYSCALE)) return 1;
   if (png.is(kBits, SPNG_COLOR_TYPE_TRUECOLOR)) return 3;

@@ -10,7 +10,7 @@ namespace augicp {
 
 std::optional<std::vector<double>> json_numbers(std::string_view what, std::string_view text, const std::string& key) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
-  const bool has_zero = text.find('\0') != std::string_view::npos;  // the parser takes it for the end
+  const bool has_zero = text.find('\0') != std::string_view::npos;  // the parser would take it for the end
   if (has_zero || !json.is_object()) throw std::invalid_argument(fmt::format("{}: the JSON is damaged", what));
   const auto value = json.find(key);
   if (value == json.end()) return std::nullopt;

@@ -8,10 +8,10 @@
 namespace augicp {
 
 // All numbers of a small text, separated by blanks, commas or line ends; '#' starts a comment. Throws
-// std::invalid_argument "what: line 2: expected a number, found 'x'", also where there are more than max_count.
+// std::invalid_argument "what: line 2: expected a number, found 'x'", and if there are more than max_count.
 std::vector<double> parse_number_list(std::string_view what, std::string_view text, std::size_t max_count);
 
-// True where the first character that is not blank opens a JSON object.
+// True if the first character that is not blank opens a JSON object.
 bool starts_like_json(std::string_view text);
 
 }  // namespace augicp

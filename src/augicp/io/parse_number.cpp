@@ -8,7 +8,8 @@
 namespace augicp {
 namespace {
 
-// from_chars says "out of range" for both ends. A negative exponent, or a leading zero without one, is the small end.
+// from_chars reports "out of range" for both ends. A negative exponent, or a leading zero without an exponent, means
+// too small.
 double limit_of(std::string_view digits) {
   const bool negative = digits.starts_with('-');
   if (negative) digits.remove_prefix(1);

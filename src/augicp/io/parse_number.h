@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers in text, the same in every locale: a point is the decimal mark.
+// Numbers in text, the same in every locale: the decimal mark is a point.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace augicp {
 
-// The number that all of text is, or nothing. A leading + and the spellings nan and inf are allowed. What is too large
-// for a double is infinite, what is too small is zero.
+// The number if all of text is one, else empty. A leading + and the spellings nan and inf are allowed. A number too
+// large for a double is infinite, one too small is zero.
 std::optional<double> parse_double(std::string_view text);
 
-// The count that all of text is: digits only, below 2^64. Nothing otherwise.
+// The count if all of text is one: digits only, below 2^64. Otherwise empty.
 std::optional<std::uint64_t> parse_count(std::string_view text);
 
 }  // namespace augicp

@@ -28,7 +28,7 @@ constexpr std::tuple<std::string_view, std::uint64_t, ScalarType> kTypes[] = {
     {"U", 4, ScalarType::Uint32}, {"U", 8, ScalarType::Uint64}, {"F", 4, ScalarType::Float32},
     {"F", 8, ScalarType::Float64}};
 
-// The lines of a header by their keyword: its values, and the line for messages.
+// The lines of a header by keyword: the values, and the line number for messages.
 struct Entry {
   std::vector<std::string_view> values;
   std::uint64_t line = 0;
@@ -128,7 +128,7 @@ class HeaderParser {
     return count(found, 0, "a count");
   }
 
-  // Width, height and number of points, where any may be missing.
+  // Width, height and number of points; each may be missing.
   std::tuple<std::uint64_t, std::uint64_t, std::uint64_t> size() const {
     const auto points = optional_count("POINTS"), stated_width = optional_count("WIDTH");
     const std::uint64_t height = optional_count("HEIGHT").value_or(1);
@@ -153,7 +153,7 @@ class HeaderParser {
       pose[i] = *value;
     }
     if (pose == std::array<double, 7>{0, 0, 0, 1, 0, 0, 0}) return std::nullopt;
-    return Vec3d(pose[0], pose[1], pose[2]);  // the points are in the same frame, whatever way the sensor looked
+    return Vec3d(pose[0], pose[1], pose[2]);  // the orientation is not needed: points are in the same frame
   }
 
   PcdEncoding encoding() const {

@@ -16,7 +16,7 @@ namespace augicp {
 struct PcdField {
   std::string name;
   ScalarType type = ScalarType::Float32;
-  std::uint64_t count = 1;  // numbers of this field a point has
+  std::uint64_t count = 1;  // numbers per point in this field
 
   std::uint64_t bytes() const { return count * num_bytes(type); }
   bool is_padding() const { return name == "_"; }
@@ -29,7 +29,7 @@ struct PcdHeader {
   std::uint64_t width = 0;
   std::uint64_t height = 1;  // 1: not organised
   std::uint64_t num_points = 0;
-  std::optional<Vec3d> viewpoint;  // nothing where the file states the default pose, which most files do
+  std::optional<Vec3d> viewpoint;  // empty if the file states the default pose, as most files do
   PcdEncoding encoding = PcdEncoding::Ascii;
   std::size_t body_offset = 0;
   std::uint64_t num_lines = 0;

@@ -15,7 +15,7 @@ namespace augicp {
 struct PlyProperty {
   std::string name;
   ScalarType type = ScalarType::Float32;
-  std::optional<ScalarType> list_length;  // how the length is stored, of a list
+  std::optional<ScalarType> list_length;  // lists: the type of the length
 };
 
 struct PlyElement {
@@ -24,7 +24,7 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 
   bool has_lists() const;
-  std::uint64_t stride() const;  // bytes of one record, were there no lists
+  std::uint64_t stride() const;  // bytes of one record without lists
 };
 
 enum class PlyEncoding : std::uint8_t { Ascii, BinaryLittleEndian, BinaryBigEndian };
@@ -36,7 +36,7 @@ struct PlyHeader {
   std::uint64_t num_lines = 0;
 };
 
-// Lines may be up to 64 KB long, comments any length. Throws IoError with the line.
+// Lines may have up to 64 KB, comments any length. Throws IoError with the line.
 PlyHeader parse_ply_header(const FileBytes& file);
 
 }  // namespace augicp

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kMaxSide = 16384;          // pixels; above any depth sensor's
 constexpr std::size_t kMaxChunkBytes = 8'388'608;  // of one chunk that is not image data, and of all such
 
-// The decoder does not ask for the whole of the last chunk.
+// The decoder does not check that the last chunk is complete.
 void check_end(const FileBytes& file) {
   constexpr std::string_view kLastChunk("\0\0\0\0IEND\xae\x42\x60\x82", 12);
   if (file.bytes.rfind(kLastChunk) == std::string::npos)
@@ -29,7 +29,7 @@ void check_png(int code, const std::filesystem::path& path) {
 PngReader::PngReader(const FileBytes& file) : file_(file), context_(spng_ctx_new(0), &spng_ctx_free) {
   if (!context_) throw std::bad_alloc();
   spng_ctx* const context = context_.get();
-  // The size is looked at before anything is allocated for it.
+  // The size is checked before anything is allocated for it.
   check_png(spng_set_image_limits(context, kMaxSide, kMaxSide), file.path);
   check_png(spng_set_chunk_limits(context, kMaxChunkBytes, kMaxChunkBytes), file.path);
   check_png(spng_set_crc_action(context, SPNG_CRC_ERROR, SPNG_CRC_ERROR), file.path);
@@ -48,7 +48,7 @@ std::string PngReader::kind() const {
                      header_.interlace_method == SPNG_INTERLACE_NONE ? "" : ", interlaced");
 }
 
-// Deflate makes at most 1032 bytes of one.
+// Deflate expands one byte to at most 1032.
 void PngReader::check_length(std::size_t bytes_per_pixel) const {
   if (std::uint64_t{bytes_per_pixel} * header_.width * header_.height / 1032 <= file_.bytes.size()) return;
   throw io_error(file_.path, fmt::format("expected {} x {} pixels, the file is too short for them", width(), height()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the readers and the writer of PNG files have in common.
+// Code shared by the readers and the writer of PNG files.
 #pragma once
 
 #include <spng.h>
@@ -16,11 +16,11 @@ namespace augicp {
 
 using PngContext = std::unique_ptr<spng_ctx, void (*)(spng_ctx*)>;
 
-// Throws IoError unless the code says that all is well.
+// Throws IoError unless the code means success.
 void check_png(int code, const std::filesystem::path& path);
 
-// A PNG whose header was read. file must outlive it. Throws IoError for damaged files, and for those larger than any
-// sensor's.
+// A PNG whose header was read. Throws IoError for damaged files, and for images larger than any sensor's. REQUIRES:
+// file outlives it.
 class PngReader {
  public:
   explicit PngReader(const FileBytes& file);
@@ -28,12 +28,12 @@ class PngReader {
   int width() const { return static_cast<int>(header_.width); }
   int height() const { return static_cast<int>(header_.height); }
 
-  // Not interlaced, and of this depth and colour type.
+  // Whether it is not interlaced, and has this depth and colour type.
   bool is(int bit_depth, int color_type) const;
   std::string kind() const;  // in words
 
-  // All pixels as they are in the file, of so many channels each. Once only. Throws IoError where the file is not
-  // whole.
+  // All pixels as stored in the file, with num_channels channels each. Call once. Throws IoError if the file is cut
+  // short.
   template <typename Channel>
   std::vector<Channel> decode(std::size_t num_channels) {
     static_assert(std::is_integral_v<Channel>);

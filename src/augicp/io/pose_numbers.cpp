@@ -18,7 +18,7 @@ Rigid3 pose_of_numbers(std::string_view what, std::span<const double, 7> numbers
   if (!(std::abs(length - 1.0) <= kTolerance))
     throw std::invalid_argument(
         fmt::format("{}: expected a quaternion qx qy qz qw of length 1, found length {}", what, length));
-  // What normalising leaves of four rounded squares and their sum.
+  // Rounding error of the normalisation of four squares and their sum.
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   return {std::abs(length - 1.0) <= kRounding ? rotation : rotation.normalized(), translation};
 }

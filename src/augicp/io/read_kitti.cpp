@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kNumberBytes = 4;
 
-// The file has no mark by which to know it. But no intensity is negative, while coordinates are.
+// The format has no signature. But intensities are never negative, and coordinates are.
 void check_intensities(const FileBytes& file, std::size_t stride) {
   for (std::size_t at = 3 * kNumberBytes; at < file.bytes.size(); at += stride) {
     const double intensity = read_scalar(file.bytes.data() + at, ScalarType::Float32, ByteOrder::Little);

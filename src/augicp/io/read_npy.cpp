@@ -19,7 +19,7 @@ struct NpyHeader {
   std::size_t body_offset = 0;
 };
 
-// The text of the header, a Python dictionary, and where it ends.
+// The text of the header, a Python dictionary, and its end.
 std::string_view header_text(const FileBytes& file) {
   constexpr std::string_view kMark = "\x93NUMPY";
   constexpr std::uint64_t kMaxHeader = 65'536;
@@ -39,7 +39,7 @@ std::string_view header_text(const FileBytes& file) {
   return bytes.substr(begin, length);
 }
 
-// What follows a key of the dictionary.
+// The text after a key of the dictionary.
 std::string_view value_of(const FileBytes& file, std::string_view header, std::string_view key) {
   const std::size_t at = header.find(fmt::format("'{}'", key));
   std::string_view rest = at == std::string_view::npos ? "" : trimmed(header.substr(at + key.size() + 2));
@@ -83,7 +83,7 @@ NpyHeader parse_header(const FileBytes& file) {
   return header;
 }
 
-// The number of items in the array. Throws IoError where the file does not hold as many.
+// The number of items in the array. Throws IoError if the file is shorter.
 std::uint64_t checked_num_items(const FileBytes& file, const NpyHeader& header) {
   const std::uint64_t available = (file.bytes.size() - header.body_offset) / num_bytes(header.type);
   std::uint64_t count = 1;

@@ -31,7 +31,7 @@ PointColumns point_columns(const FileBytes& file, const PcdHeader& header) {
 }
 
 CloudFile read_ascii(const FileBytes& file, const PcdHeader& header, PointColumns columns, const PointTable& table) {
-  // Fields of several numbers take as many columns of text.
+  // A field of several numbers has one column of text per number.
   std::vector<std::size_t> first_column;
   std::size_t num_columns = 0;
   for (const PcdField& field : header.fields)
@@ -86,13 +86,13 @@ CloudFile read_binary(const FileBytes& file, const PcdHeader& header, const Poin
 
 struct Decompressed {
   std::string bytes;
-  std::uint64_t num_behind = 0;  // bytes of the file that do not belong to it, unless PCL put them there
+  std::uint64_t num_behind = 0;  // bytes of the file after the data, except PCL's padding
 };
 
-// The body is two lengths, then LZF. Throws IoError before allocating where the lengths cannot be.
+// The body is two lengths, then LZF. Throws IoError for impossible lengths, before allocating.
 Decompressed decompress(const FileBytes& file, std::size_t offset, std::uint64_t expected_bytes) {
   constexpr std::size_t kLengths = 8;
-  constexpr std::uint64_t kMaxRatio = 88;  // three bytes of LZF stand for at most 264
+  constexpr std::uint64_t kMaxRatio = 88;  // three bytes of LZF expand to at most 264
   const std::uint64_t num_left = file.bytes.size() - offset;
   if (num_left < kLengths)
     throw io_error_at_byte(file.path, file.bytes.size(), "expected the lengths of the data, the file ends here");
@@ -114,16 +114,16 @@ Decompressed decompress(const FileBytes& file, std::size_t offset, std::uint64_t
                      static_cast<unsigned int>(uncompressed));
   if (found != uncompressed) throw io_error_at_byte(file.path, offset + kLengths, "the compressed data are damaged");
   const std::string_view behind = std::string_view(file.bytes).substr(offset + kLengths + compressed);
-  // PCL fills its files up with zeros, to a whole page of memory.
+  // PCL pads its files with zeros to a whole page of memory.
   const bool is_padding = behind.find_first_not_of('\0') == std::string_view::npos;
   return {std::move(bytes), is_padding ? 0 : behind.size()};
 }
 
 CloudFile read_compressed(const FileBytes& file, const PcdHeader& header, const PointColumns& columns,
                           const PointTable& table) {
-  // Field after field, each with all its points. Padding is not stored.
+  // Field after field, each for all points. Padding is not stored.
   BinaryPoints points = in_bytes({}, header);
-  constexpr std::uint64_t kMaxBytes = 0xffffffff;  // as many as the stated length can say
+  constexpr std::uint64_t kMaxBytes = 0xffffffff;  // the limit of the stated length
   std::uint64_t offset = 0;
   for (std::size_t column = 0; column < header.fields.size(); ++column) {
     const PcdField& field = header.fields[column];

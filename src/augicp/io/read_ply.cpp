@@ -28,7 +28,7 @@ ByteOrder byte_order(const PlyHeader& header) {
   return header.encoding == PlyEncoding::BinaryBigEndian ? ByteOrder::Big : ByteOrder::Little;
 }
 
-// The offset behind a record with lists.
+// The offset after a record with lists.
 std::uint64_t skip_record(const FileBytes& file, const PlyElement& element, std::uint64_t offset, ByteOrder order) {
   const auto take = [&](std::uint64_t num) {
     if (num > file.bytes.size() - offset) throw cut_short(file, element);
@@ -47,7 +47,7 @@ std::uint64_t skip_record(const FileBytes& file, const PlyElement& element, std:
   return offset;
 }
 
-// The offset behind an element's records. Throws IoError where the file ends before.
+// The offset after an element's records. Throws IoError if the file ends before.
 std::uint64_t skip_binary(const FileBytes& file, const PlyElement& element, std::uint64_t offset, ByteOrder order) {
   if (element.properties.empty()) return offset;
   if (!element.has_lists()) {
@@ -121,7 +121,7 @@ void skip_text(const FileBytes& file, const PlyHeader& header, Elements elements
   }
 }
 
-// The shortest line holds one digit and one separator a value, the last line no line end.
+// The shortest line has one digit and one separator per value; the last line has no line end.
 void check_text_size(const FileBytes& file, const PlyHeader& header, const PlyElement& vertex) {
   const std::uint64_t num_left = file.bytes.size() - header.body_offset;
   if (vertex.count > (num_left + 1) / (2 * vertex.properties.size())) throw cut_short(file, vertex);

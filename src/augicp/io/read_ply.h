@@ -6,8 +6,8 @@
 
 namespace augicp {
 
-// The points of a PLY file: its element "vertex". Other elements, such as faces, are checked to be whole and skipped.
-// Throws IoError.
+// The points of a PLY file: its element "vertex". Other elements, such as faces, are checked for completeness and
+// skipped. Throws IoError.
 CloudFile parse_ply(const FileBytes& file, const ReadOptions& options = {});
 
 }  // namespace augicp

@@ -11,7 +11,7 @@
 namespace augicp {
 namespace {
 
-// What the first line says, and the lines behind it.
+// The content of the first line, and the lines after it.
 struct Layout {
   TextPoints points;
   std::optional<std::uint64_t> declared;
@@ -20,7 +20,7 @@ struct Layout {
 
 std::vector<std::string> column_names(std::string_view line) {
   line = trimmed(line);
-  if (line.starts_with("//")) line.remove_prefix(2);  // as CloudCompare marks it
+  if (line.starts_with("//")) line.remove_prefix(2);  // CloudCompare's comment mark
   std::vector<std::string> names;
   const char separator = separator_of(line);
   while (const auto name = next_field(line, separator)) names.emplace_back(*name);
@@ -55,7 +55,7 @@ Layout layout_of(const FileBytes& file) {
   return layout;
 }
 
-// The shortest line of a point is "0 0 0" and its end.
+// The shortest line of a point is "0 0 0" and a line end.
 std::uint64_t most_points(std::string_view text) {
   constexpr std::size_t kShortest = 6;
   const auto num_ends = std::count_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; });

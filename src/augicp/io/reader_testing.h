@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of all readers share: files as string literals, and the checks every format must pass.
+// Shared by the tests of all readers: files as string literals, and the checks that every format must pass.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ inline CloudFile parse(const std::string& name, std::string bytes, const ReadOpt
   return parse_cloud(FileBytes{name, std::move(bytes)}, options);
 }
 
-// The message of the IoError that a file gives, or nothing where it is read.
+// The message of the IoError for a file, or empty if it is read.
 inline std::string refusal(const std::string& name, std::string bytes, const ReadOptions& options = {}) {
   try {
     parse(name, std::move(bytes), options);
@@ -35,7 +35,7 @@ inline void expect_refused(const std::string& name, const std::string& bytes, st
   EXPECT_THAT(refusal(name, bytes), ::testing::HasSubstr(message_part)) << bytes.substr(0, 300);
 }
 
-// No length of the file but the whole is read as if nothing were missing: an error, or in text a warning.
+// Every proper prefix of the file gives an error or, in text, a warning.
 inline void expect_cuts_are_seen(const std::string& name, const std::string& bytes) {
   ASSERT_EQ(refusal(name, bytes), "");
   for (std::size_t length = 0; length < bytes.size(); ++length) {
@@ -65,21 +65,22 @@ std::string packed(const std::vector<T>& values) {
   return bytes;
 }
 
-// The points with their origin.
+// The points with their origin added.
 inline std::vector<Vec3d> places(const Cloud& cloud) {
   std::vector<Vec3d> positions;
   for (const Vec3f& point : cloud.points) positions.push_back(cloud.origin + point.cast<double>());
   return positions;
 }
 
-// Three numbers a line, with all their digits.
+// Three numbers per line, with all their digits.
 inline std::string rows_of_three(const std::vector<double>& values) {
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) text += fmt::format("{}{}", values[i], i % 3 == 2 ? '\n' : ' ');
   return text;
 }
 
-// Of three points a few metres apart and far from zero, to within a micrometre. make_file takes their nine coordinates.
+// Three points a few metres apart and far from zero are read to within a micrometre. make_file takes their nine
+// coordinates.
 template <typename MakeFile>
 void expect_far_coordinates_survive(const std::string& name, const MakeFile& make_file) {
   for (const double offset : {1e3, 1e6, 1e7}) {

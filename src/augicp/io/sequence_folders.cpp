@@ -12,9 +12,9 @@
 namespace augicp {
 namespace {
 
-constexpr double kMaxNumber = 1e9;  // a year of frames; beyond, it is a stamp of some unit
+constexpr double kMaxNumber = 1e9;  // a year of frames; a larger number is a stamp in some unit
 
-// The number at the end of a name without its ending: digits, with a decimal point among them or not.
+// The number at the end of a name without its extension: digits, with or without a decimal point.
 std::string_view number_at_end(std::string_view name) {
   const std::size_t before = name.find_last_not_of("0123456789.");
   name.remove_prefix(before == std::string_view::npos ? 0 : before + 1);
@@ -22,7 +22,7 @@ std::string_view number_at_end(std::string_view name) {
   return first_digit == std::string_view::npos ? std::string_view{} : name.substr(first_digit);
 }
 
-// Nothing where the name ends in no number.
+// Empty if the name does not end in a number.
 std::optional<double> stamp_of(const std::filesystem::path& file, std::string_view stem, double frames_per_s) {
   const std::string_view number = number_at_end(stem);
   const auto value = parse_double(number);

@@ -9,19 +9,19 @@
 namespace augicp {
 
 // The lines of a text, ended by LF, CR LF or CR. A text whose first line ends in a lone CR has CR lines throughout.
-// Views into the text, which must outlive them.
+// Lines are views into the text. REQUIRES: the text outlives them.
 class TextLines {
  public:
   explicit TextLines(std::string_view text);
 
-  // The next line without its end, or nothing after the last. The last line needs no end.
+  // The next line without its end; empty after the last. The last line needs no end.
   std::optional<std::string_view> next();
 
   // The same for the next line that is not blank.
   std::optional<std::string_view> next_not_blank();
 
-  std::uint64_t line() const { return line_; }    // number of the line given last, from 1
-  std::size_t offset() const { return offset_; }  // of the next line in the text
+  std::uint64_t line() const { return line_; }    // number of the last returned line, from 1
+  std::size_t offset() const { return offset_; }  // offset of the next line in the text
   bool at_end() const { return offset_ >= text_.size(); }
 
  private:
@@ -31,7 +31,7 @@ class TextLines {
   std::uint64_t line_ = 0;
 };
 
-// True unless the text ends within a line: then the file may have been cut short without other signs of it.
+// True unless the text ends within a line: then the file may have been cut short without any other sign.
 bool ends_with_a_line_end(std::string_view text);
 
 // The text without a UTF-8 byte order mark.
@@ -40,15 +40,15 @@ std::string_view without_bom(std::string_view text);
 // The text without blanks (space, tab) at its ends.
 std::string_view trimmed(std::string_view text);
 
-// Takes the next field off the front of rest, or nothing where none is left. Fields are separated by blanks (separator
-// ' '), or by the separator, with blanks around it that are not part of the field.
+// Takes the next field off the front of rest; empty if none is left. Fields are separated by blanks (separator ' '), or
+// by the separator with optional blanks around it, which are not part of the field.
 std::optional<std::string_view> next_field(std::string_view& rest, char separator = ' ');
 
-// Fields of a line.
+// Number of fields of a line.
 std::size_t num_fields(std::string_view line, char separator = ' ');
 
-// What separates the fields of this line: a semicolon if there is one, else a comma if there is one, else blanks. So
-// "1,5;2,5" is not read as four numbers, nor is "1,5 2,5".
+// The separator of the fields of this line: a semicolon if there is one, else a comma if there is one, else blanks. So
+// neither "1,5;2,5" nor "1,5 2,5" is read as four numbers.
 char separator_of(std::string_view line);
 
 }  // namespace augicp

@@ -26,7 +26,7 @@ class LineParser {
  public:
   LineParser(const FileBytes& file, const TextPoints& points)
       : file_(file), points_(points), roles_(roles_of(points.columns)) {
-    values_[6] = static_cast<double>(Structure::Planar);  // a normal without a structure is one of a plane
+    values_[6] = static_cast<double>(Structure::Planar);  // a normal without a structure belongs to a plane
   }
 
   const PointValues& parse(std::string_view line, std::uint64_t number) {

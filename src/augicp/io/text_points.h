@@ -11,25 +11,24 @@
 
 namespace augicp {
 
-// Points in text, one a line, blank lines and comments between them.
+// Points in text, one per line, with optional blank lines and comments.
 struct TextPoints {
   PointColumns columns;
-  std::size_t num_columns = 0;  // a line must have exactly as many; 0: as many as are needed, or more
+  std::size_t num_columns = 0;  // exact number of fields per line; 0: the required ones, or more
   char separator = ' ';
   bool has_comments = false;                                             // lines that start with '#'
-  std::uint64_t num_points = std::numeric_limits<std::uint64_t>::max();  // max: all there are
+  std::uint64_t num_points = std::numeric_limits<std::uint64_t>::max();  // max: all lines
 };
 
-// Adds the points of the next num_points lines and leaves lines behind the last of them. lines_before is the number
-// of lines of the file that are not in lines, for messages. Throws IoError where a line is not a point, or too few are
-// there.
+// Adds the points of the next num_points lines; lines then stands behind the last of them. lines_before is the number
+// of lines of the file before `lines`, for messages. Throws IoError if a line is not a point, or there are too few.
 void add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
                 CloudBuilder& builder);
 
-// A file of text must not hold a zero byte near its front. Throws IoError.
+// Throws IoError if a text file has a zero byte near its front.
 void check_is_text(const FileBytes& file);
 
-// For files of text that end within a line: where the last number is cut short, nothing else shows it.
+// For text files that end within a line: nothing else shows that the last number is cut.
 inline constexpr const char* kNoLineEndWarning =
     "the last line has no end: if the file was cut short, so may its last number be";
 

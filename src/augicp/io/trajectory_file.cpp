@@ -28,7 +28,7 @@ const char* likely_unit(double stamp) {
   return size < 1e14 ? "milliseconds" : size < 1e17 ? "microseconds" : "nanoseconds";
 }
 
-// What is wrong with a line, for the message that names it.
+// The fault of a line, for the message that names the line.
 using Fault = std::invalid_argument;
 
 Numbers numbers_of(std::string_view content) {
@@ -57,9 +57,9 @@ StampedPose pose_of(std::string_view content, const Trajectory& before) {
   return {stamp_s, pose_of_numbers("pose", std::span(numbers).subspan<1>())};
 }
 
-// The shortest text in fixed notation that is read back as the same number, filled up to 6 decimals.
+// The shortest text in fixed notation that reads back as the same number, with at least 6 decimals.
 std::string stamp_text(double stamp_s) {
-  std::array<char, 512> buffer{};  // the smallest number has 323 zeros behind its point
+  std::array<char, 512> buffer{};  // the smallest number has 323 zeros after the point
   const auto end = std::to_chars(buffer.begin(), buffer.end(), stamp_s, std::chars_format::fixed).ptr;
   std::string text(buffer.begin(), end);
   constexpr std::size_t kNumDecimals = 6;
@@ -104,7 +104,7 @@ void write_tum_trajectory(const std::filesystem::path& path, const Trajectory& t
     const Vec3d& t = world_from_camera.translation;
     const Eigen::Quaterniond& q = world_from_camera.rotation;
     const Numbers numbers{stamp_s, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
-    pose_of_numbers("trajectory", std::span(numbers).subspan<1>());  // throws for what the reader would refuse
+    pose_of_numbers("trajectory", std::span(numbers).subspan<1>());  // throws for poses that the reader would refuse
     text += fmt::format("{} {}\n", stamp_text(stamp_s), fmt::join(std::span(numbers).subspan<1>(), " "));
   }
   write_file(path, text);

@@ -15,19 +15,20 @@ inline constexpr double kMaxStamp_s = 1e11;
 
 struct TrajectoryFile {
   Trajectory trajectory;              // at least one pose, in the order of the stamps
-  std::vector<std::string> warnings;  // what may be wrong with the file though all of it was read
+  std::vector<std::string> warnings;  // possible problems of a file that was read completely
 };
 
-// A trajectory in the form of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw` a line, the pose of the camera
-// in the world (T_world_camera), seconds and metres, separated by blanks or commas; '#' starts a comment. Throws
-// IoError naming the line: where it has not 8 finite numbers, its quaternion is not of unit length (see
-// pose_numbers.h), its stamp is not above the one before or too large for seconds; also where there is no pose at all.
+// A trajectory in the form of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw` per line, the pose of the
+// camera in the world (T_world_camera), seconds and metres, separated by blanks or commas; '#' starts a comment. Throws
+// IoError naming the line if it has not 8 finite numbers, if its quaternion is not of unit length (see pose_numbers.h),
+// or if its stamp is not above the one before or too large for seconds; also if there is no pose.
 TrajectoryFile parse_tum_trajectory(const FileBytes& file);
 TrajectoryFile read_tum_trajectory(const std::filesystem::path& path);
 
-// The same form, behind a comment that names the columns. Every number has the digits to be read back as the same
-// double, stamps at least 6 decimals. Throws std::invalid_argument for what could not be read back: stamps out of order
-// or too large, poses that are not finite. An empty trajectory gives a file without poses. Throws IoError.
+// Writes the same form, after a comment that names the columns. Every number has enough digits to read back as the same
+// double, and stamps have at least 6 decimals. An empty trajectory gives a file without poses. Throws IoError; throws
+// std::invalid_argument for stamps out of order or too large, and for poses that are not finite, because these would
+// not read back.
 void write_tum_trajectory(const std::filesystem::path& path, const Trajectory& trajectory);
 
 }  // namespace augicp

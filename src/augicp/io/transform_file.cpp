@@ -45,7 +45,7 @@ Rigid3 parse_transform(std::string_view text) {
 }
 
 Rigid3 read_transform(const std::filesystem::path& path) {
-  constexpr std::uint64_t kMaxBytes = 16 << 20;  // a result file may carry a whole trace beside the matrix
+  constexpr std::uint64_t kMaxBytes = 16 << 20;  // a result file may contain a whole trace beside the matrix
   const FileBytes file = read_bytes(path, kMaxBytes);
   try {
     return parse_transform(file.bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How matchers count an Agreement; not for users of the library.
+// Counts an Agreement. Internal.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,11 @@
 
 namespace augicp {
 
-// So many tolerances from a surface a point is no longer near it.
+// A point is near a surface within this many tolerances.
 inline constexpr float kNearPerTolerance = 3.0f;
 
-// Is a point near a target point on its surface, and turned like it? Both clouds must outlive it.
+// Tests whether a point near a target point is on its surface, with an agreeing normal. REQUIRES: both clouds outlive
+// it.
 class SurfaceTest {
  public:
   SurfaceTest(const Cloud& source, const Cloud& target, const Rigid3& target_from_source, double min_cosine)

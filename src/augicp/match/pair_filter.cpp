@@ -16,7 +16,7 @@ namespace {
 constexpr auto kNone = static_cast<std::int32_t>(Structure::None),
                kPlanar = static_cast<std::int32_t>(Structure::Planar);
 
-// The gates as plain numbers; what is on or off is 1 or 0.
+// The gates as numbers; switches are 1 or 0.
 struct GateNumbers {
   float rotation[9];  // row by row
   float translation[3];
@@ -67,12 +67,12 @@ void append(const std::uint32_t* sources, const std::uint32_t* targets, std::siz
   for (std::size_t k = 0; k < count; ++k) pairs[before + k] = {sources[k], targets[k]};
 }
 
-// passes: 1 or 0 for each.
+// passes: 1 or 0 for each candidate.
 void append_some(const std::uint32_t* sources, const std::uint32_t* targets, const std::int32_t* passes,
                  std::size_t count, std::vector<Correspondence>& pairs) {
   std::uint32_t of_source[kGatheredAtOnce], of_target[kGatheredAtOnce];
   std::size_t num_passing = 0;
-  for (std::size_t k = 0; k < count; ++k) {  // without a branch: no processor guesses where pairs fail
+  for (std::size_t k = 0; k < count; ++k) {  // no branch: it would be unpredictable
     of_source[num_passing] = sources[k];
     of_target[num_passing] = targets[k];
     num_passing += static_cast<std::size_t>(passes[k]);
@@ -109,7 +109,7 @@ void PairFilter::append_passing(const IndexRuns& sources, const IndexRuns& targe
   GateNumbers gates{{}, {}, max_distance_sq_, min_cosine_, compares_angles_, same_structure_, signed_normals_};
   for (int i = 0; i < 9; ++i) gates.rotation[i] = pose_.rotation(i / 3, i % 3);
   for (int i = 0; i < 3; ++i) gates.translation[i] = pose_.translation[i];
-  Candidates candidates{};  // entries behind the last pair are computed with, too
+  Candidates candidates{};  // entries beyond the last pair are computed too
   gather(source_.points, sources, candidates.source_point);
   gather(target_.points, targets, candidates.target_point);
   test_distances(gates, candidates);

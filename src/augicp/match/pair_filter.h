@@ -11,7 +11,7 @@
 
 namespace augicp {
 
-// The gates for one pair of clouds under one pose. Both clouds must outlive it.
+// The gates for one pair of clouds under one pose. REQUIRES: both clouds outlive it.
 class PairFilter {
  public:
   // target_from_source maps between the clouds' points, without their origins.
@@ -20,14 +20,15 @@ class PairFilter {
   Vec3f moved(std::uint32_t source_index) const { return pose_ * source_.points[source_index]; }
   float max_distance_sq() const { return max_distance_sq_; }
 
-  // All gates; the distance is measured from the moved source point.
+  // Applies all gates. The distance is measured from the moved source point.
   bool passes(std::uint32_t source_index, const Vec3f& moved_source, std::uint32_t target_index) const {
     if (!((target_.points[target_index] - moved_source).squaredNorm() <= max_distance_sq_)) return false;
     return directions_agree(source_index, target_index);
   }
 
-  // Appends those of at most kGatheredAtOnce candidates that pass, in their order: as passes() says, but for the last
-  // digits at a gate's border, and many at once. Both runs must be as many.
+  // Appends those of at most kGatheredAtOnce candidates that pass, in their order, many at a time. The result is that
+  // of passes(), except for the last digits at the limit of a gate. REQUIRES: both runs have the same number of
+  // indices.
   void append_passing(const IndexRuns& sources, const IndexRuns& targets, std::vector<Correspondence>& pairs) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace augicp {
 namespace {
 
-// The point seen in the pixel on which a place in the camera frame falls, kNone where none is.
+// The point in the pixel of a position in the camera frame; kNone if there is none.
 std::int32_t pixel_of(const Vec3f& place, const Pinhole& camera, const IndexImage& index) {
   if (!(place.z() > 0.0f)) return IndexImage::kNone;
   const float u = static_cast<float>(camera.fx) * place.x() / place.z() + static_cast<float>(camera.cx) + 0.5f;
@@ -21,19 +21,19 @@ std::int32_t pixel_of(const Vec3f& place, const Pinhole& camera, const IndexImag
   return is_inside ? index.at(static_cast<int>(u), static_cast<int>(v)) : IndexImage::kNone;
 }
 
-// Fewer points than this share of the pixels hardly hide each other, and need no image of their own.
+// A smaller share of points than this hardly occlude each other, and need no z-buffer.
 constexpr std::size_t kPixelsPerSparsePoint = 16;
 
-// Does every one of these pixels have a point in both images, or none of them?
+// Whether all, some or none of these pixels have a point in both images.
 enum class Seen { InAll, InSome, InNone };
 AUGICP_VECTORIZED Seen seen_in_both(const std::int32_t* __restrict a, const std::int32_t* __restrict b,
                                     std::size_t count) {
-  std::int32_t any = 0, every = -1;  // kNone is negative, all indices are not
+  std::int32_t any = 0, every = -1;  // kNone is negative; all indices are not
   for (std::size_t k = 0; k < count; ++k) any |= a[k] | b[k], every &= a[k] | b[k];
   return any >= 0 ? Seen::InAll : every < 0 ? Seen::InNone : Seen::InSome;
 }
 
-// The points that both images have in the same of at most kGatheredAtOnce pixels, pixel by pixel.
+// The points of both images in at most kGatheredAtOnce pixels that have one in both, pixel by pixel.
 void find_candidates(const std::int32_t* a, const std::int32_t* b, std::size_t num_pixels, IndexRuns& of_a,
                      IndexRuns& of_b) {
   std::size_t count = 0;
@@ -43,7 +43,7 @@ void find_candidates(const std::int32_t* a, const std::int32_t* b, std::size_t n
     std::copy_n(b, num_pixels, of_b.index);
     count = num_pixels;
   } else if (seen == Seen::InSome) {
-    for (std::size_t k = 0; k < num_pixels; ++k) {  // without a branch: no processor guesses where holes are
+    for (std::size_t k = 0; k < num_pixels; ++k) {  // no branch: it would be unpredictable
       of_a.index[count] = static_cast<std::uint32_t>(a[k]);
       of_b.index[count] = static_cast<std::uint32_t>(b[k]);
       count += (a[k] | b[k]) >= 0 ? 1 : 0;

@@ -22,7 +22,7 @@ class PairIntensity {
   }
   Vec3d gradient(const Correspondence& pair) const { return target_.intensity_gradients[pair.target].cast<double>(); }
 
-  // NaN where it is not known. Without a gradient a pair says nothing of the pose.
+  // NaN if it is unknown. A pair without a gradient does not constrain the pose.
   double residual(const Correspondence& pair, const Vec3d& q, const Vec3d& g) const {
     if (g.isZero(0.0)) return std::numeric_limits<double>::quiet_NaN();
     return static_cast<double>(target_.intensities[pair.target]) +

@@ -12,35 +12,36 @@
 
 namespace augicp {
 
-// Eq. (8) with the robust weight of Eq. (13).
+// The objective of Eq. (8) with the robust weight of Eq. (13).
 struct Objective {
   InformationModel information;
 
-  // K: a pair whose chi2 is above counts with gamma = K / chi2. In units of chi2, above 0; 1e-30 of the largest
-  // information is the least.
+  // K: a pair with a larger chi2 has the weight gamma = K / chi2. In units of chi2, above 0. Values below 1e-30 of the
+  // largest information count as that.
   double kernel_chi2 = std::numeric_limits<double>::infinity();
 
-  // The same for the direction's part alone, before it enters chi2: two directions may be unlike (clutter, a wrong
-  // pair) where the positions fit well.
+  // The same for the direction's part alone, before it enters chi2: two directions may differ (clutter, a wrong pair)
+  // although the positions fit well.
   double kernel_direction_chi2 = std::numeric_limits<double>::infinity();
 
-  // Beyond the paper: a third part of every pair's error. Off where its information is 0.
+  // Beyond the paper: a third part of every pair's error. Off if its information is 0.
   IntensityModel intensity{};
 };
 
-// H, b and cost over the pairs. Points of both clouds are taken without their origins, and should lie within a thousand
-// extents of zero, as those of files do: what is made of errors is float. A linear part counts where both points of a
-// pair have the same structure; a tangent, and a normal unless both sensors' places are known, is compared without its
-// sign. Omega is scaled by the target point's weight where it has one. Sums are the same for any number of threads.
+// H, b and cost over the pairs, Eq. (14). Points are without their origins. The linear part counts if both points of a
+// pair have the same structure. A tangent is compared without its sign; so is a normal, unless both sensor positions
+// are known. Omega is scaled by the target point's weight if it has one. REQUIRES: points are within a thousand extents
+// of zero, because errors are float; points of files are. Bit-identical for any number of threads.
 NormalEquations linearize(const PosedPairs& posed, const Objective& objective, int num_threads);
 
-// b of groups of pairs, each as linearize() has it but for the last digits: those of pairs[begin[g]], ...,
-// pairs[begin[g + 1] - 1]. begin ascends from the first group's to the end of the last, and has at least one entry.
+// b for groups of pairs, each equal to that of linearize() except for the last digits. Group g has pairs[begin[g]],
+// ..., pairs[begin[g + 1] - 1]. REQUIRES: begin ascends from the begin of the first group to the end of the last, and
+// has at least one entry.
 std::vector<Vec6d> gradients_of_groups(const PosedPairs& posed, std::span<const std::size_t> begin,
                                        const Objective& objective, int num_threads);
 
-// The two parts of chi2 = e^T Omega e of every pair, before the robust weight. The direction's is negative where it is
-// not compared.
+// The two parts of chi2 = e^T Omega e of every pair, before the robust weight. The direction's part is negative if it
+// is not compared.
 struct PairChi2 {
   std::vector<float> position, direction;
 };

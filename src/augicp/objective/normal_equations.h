@@ -7,14 +7,14 @@
 
 namespace augicp {
 
-// The quadratic that stands for the objective around a pose, Eq. (14), for the increment of geometry/rigid3.h:
-// translation first, rotation vector second, target frame.
+// The quadratic approximation of the objective at a pose, Eq. (14), for the increment of geometry/rigid3.h: translation
+// first, rotation vector second, target frame.
 struct NormalEquations {
   Mat6d H = Mat6d::Zero();
   Vec6d b = Vec6d::Zero();
   double cost = 0.0;  // half the sum of the robust losses; b is its gradient
   std::int64_t num_pairs = 0;
-  std::int64_t num_intensity_pairs = 0;  // of these, those whose intensities were compared
+  std::int64_t num_intensity_pairs = 0;  // pairs whose intensities were compared
 
   NormalEquations& operator+=(const NormalEquations& other) {
     H += other.H;

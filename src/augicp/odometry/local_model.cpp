@@ -15,7 +15,7 @@ struct ExtendedPoint {
   float weight;
 };
 
-// Reads the points of a cloud moved into another frame.
+// Reads the points of a cloud in another frame.
 class MovedPoints {
  public:
   MovedPoints(const Cloud& cloud, const Rigid3& b_from_a) : cloud_(cloud), b_from_a_(b_from_a) {}
@@ -58,12 +58,12 @@ void average(LocalModel& model, std::int32_t i, ExtendedPoint seen, const MergeO
   model.weights[i] = std::min(sum, static_cast<float>(options.max_weight));
 }
 
-// Does the keyframe see this point of the old model, as far as it can tell?
+// Whether the keyframe sees this point of the old model.
 bool still_seen(const ExtendedPoint& point, const Scan& keyframe, std::size_t pixel, const MergeOptions& options) {
   const bool turned_away = point.structure == Structure::Planar && point.direction.dot(point.position) > 0.0f;
   const std::int32_t i = keyframe.view->index.index[pixel];
   if (turned_away || i == IndexImage::kNone) return !turned_away;
-  // Twice the distance of merging: what is a little off is left for the average to mend.
+  // Twice the distance of merging: the average corrects small errors.
   return std::abs(point.position.z() - keyframe.cloud.points[i].z()) <= 2.0f * static_cast<float>(options.max_distance);
 }
 

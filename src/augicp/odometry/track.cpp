@@ -57,7 +57,7 @@ void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions
   const int num_threads = wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   // Preparing a frame costs about as much as registering it.
   OdometryOptions preparing = options, registering = options;
-  preparing.registration.stop = {};  // asked here alone, between frames and while one is registered
+  preparing.registration.stop = {};  // only `registering` stops: between frames and during a registration
   preparing.registration.num_threads = std::max(1, num_threads / 2);
   registering.registration.num_threads = std::max(1, num_threads - num_threads / 2);
   const auto policy = num_threads > 1 ? std::launch::async : std::launch::deferred;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A whole sequence: the next frame is read and prepared while the present one is registered.
+// Tracks a whole sequence: the next frame is read and prepared during the registration of the present one.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 
 namespace augicp {
 
-// Calls on_frame, in the calling thread, with the report of every frame in order; the same for any number of threads.
-// An image of another size than the camera's makes its frame Unreadable. Throws Interrupted, once all its threads have
-// ended, after a request to options.registration.stop.
+// Calls on_frame, in the calling thread, with the report of every frame in order; bit-identical for any number of
+// threads. An image whose size is not the camera's makes its frame Unreadable. Throws Interrupted after a request to
+// options.registration.stop, once all its threads have ended.
 void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
            const std::function<void(const FrameReport&)>& on_frame);
 
-// The same for those who want to see what the tracker knows after the frame too.
+// The same, with the state of the tracker after each frame.
 void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
            const std::function<void(const FrameReport&, const Odometry&)>& on_frame);
 

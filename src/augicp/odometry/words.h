@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words for choices, in the command, its files and in Python.
+// Words of enumerators, for the command, its files and Python.
 #pragma once
 
 #include "augicp/core/words.h"

@@ -16,14 +16,14 @@ namespace {
 constexpr double kExtentQuantile = 0.8;
 constexpr double kViewWidth = 1.2;
 
-// Views of a desk from 1.2 m so get balls of 5 cm, which experiments on fr1/desk favour, and a gate of 0.36 m; other
-// scenes follow by scale. A ball of four voxels holds some 50 points of a plane; three cost the car scans a third of
+// A view of a desk from 1.2 m then has balls of 5 cm, which experiments on fr1/desk favour, and a gate of 0.36 m; other
+// scenes scale with it. A ball of four voxels has about 50 points of a plane; with three the car scans lose a third of
 // their accuracy.
 constexpr double kRadiusPerExtent = 1.0 / 30.0;
 constexpr double kVoxelPerRadius = 1.0 / 4.0;
 constexpr double kGatePerExtent = 1.0 / 4.0;
 
-// What the upper bits of a float say of its place among others: never more for a lower one.
+// The order of the upper bits of floats: never decreasing with the value.
 constexpr int kBinBits = 12;
 std::size_t bin_of(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -31,7 +31,7 @@ std::size_t bin_of(float value) {
   return ordered >> (32 - kBinBits);
 }
 
-// The values of the bin in which the place-th in ascending order is; makes it its place there.
+// The values of the bin of the place-th value in ascending order; place becomes the place within the bin.
 std::vector<float> bin_around(const std::vector<float>& values, std::size_t& place) {
   std::vector<std::uint32_t> count(1 << kBinBits);
   for (float value : values) ++count[bin_of(value)];
@@ -44,7 +44,7 @@ std::vector<float> bin_around(const std::vector<float>& values, std::size_t& pla
   return within;
 }
 
-// Values must not be NaN. Selecting among those of one bin takes a fraction of the time that it takes among all.
+// Selecting within one bin takes a fraction of the time of selecting among all values. REQUIRES: no value is NaN.
 float quantile(const std::vector<float>& values, double share) {
   auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
   std::vector<float> within = bin_around(values, place);

@@ -11,17 +11,17 @@
 
 namespace augicp {
 
-// What is minimised: all the same code with other numbers (objective/information.h).
+// The objective: the same code with other numbers (objective/information.h).
 enum class Method { Augmented, Gicp, Plane, Point };
 
 enum class Preset {
   Default,  // weights, kernel and classifier from measured noise
-  Paper,    // the source to the letter: Table 2 as printed, structure from the points' eigenvalues, a fixed K
+  Paper,    // the paper: Table 2 as printed, structure from the points' eigenvalues, a fixed K
 };
 
 // How pairs are found.
 enum class Association {
-  Auto,        // Projective where the target is a depth image, else Nearest
+  Auto,        // Projective if the target is a depth image, else Nearest
   Projective,  // through the target's camera
   Nearest,     // the nearest target point
 };
@@ -31,7 +31,7 @@ struct RegistrationOptions {
   Method method = Method::Augmented;
   Association association = Association::Auto;
 
-  // Metres; not set: derived from the clouds, see derive_lengths().
+  // Metres; if not set: derived from the clouds, see derive_lengths().
   std::optional<double> radius;
   std::optional<double> voxel_size;
   std::optional<double> max_distance;
@@ -39,47 +39,47 @@ struct RegistrationOptions {
   // Pairs whose directions differ by more are dropped, radians.
   double max_angle = 1.0471975511965976;  // 60 degrees
 
-  // What the preset would choose, chosen by hand. Not set: the preset's.
+  // Overrides of the preset. If not set: the preset's value.
   std::optional<Classifier> classifier;
   std::optional<double> kernel_chi2;  // K of Eq. (13), the same in all iterations
   std::optional<double> lever;        // metres, the same in all iterations; see AlignOptions
   std::optional<double> damping;      // see AlignOptions
 
   // Beyond the paper, and off under its preset.
-  bool search = true;           // where the guess leads nowhere convincing, others are tried: see search_start()
-  bool coarse_to_fine = true;   // large images are aligned thinned first
-  bool rolling_shutter = true;  // what rolling shutters bend is straightened, see ReadoutMotion
+  bool search = true;           // if the guess does not convince, others are tried: see search_start()
+  bool coarse_to_fine = true;   // large images are aligned at a coarse resolution first
+  bool rolling_shutter = true;  // the distortion of rolling shutters is removed, see ReadoutMotion
 
-  // A third measurement, where both inputs have intensities: their brightness, see objective/intensity.h. At full
-  // resolution only, so that the search and the coarse alignments are as without it.
+  // A third measurement, if both inputs have intensities: their brightness, see objective/intensity.h. At full
+  // resolution only, so that the search and the coarse alignments do not depend on it.
   bool intensity = false;
 
-  // How sure the pose is, AlignResult::covariance. Not asked for, it saves a twentieth of the time of large images and
-  // a fifth of that of small ones.
+  // Compute AlignResult::covariance. Without it a registration takes a twentieth less time for large images, and a
+  // fifth less for small ones.
   bool covariance = true;
 
   int max_iterations = 50;  // at full resolution
 
-  // Steps smaller than this part of the extent, and than this in radians, end the loop. 0: all iterations are made.
+  // Steps below this share of the extent, and below this in radians, end the loop. 0: all iterations are made.
   double min_step = 1e-5;
 
-  int num_threads = 0;  // 0: all the machine's
+  int num_threads = 0;  // 0: all of the machine
 
-  // Asked before each stage of prepare(), each start that is tried and each iteration: the call throws Interrupted once
-  // an end is requested, from any thread.
+  // Checked before each stage of prepare(), each start and each iteration: the call throws Interrupted once any thread
+  // requests an end.
   std::stop_token stop{};
 
   // Throws std::invalid_argument naming the first option out of its range.
   void check() const;
 };
 
-// With nothing but the paper's loop: its iterations from the guess, at full resolution.
+// The paper's loop alone: its iterations from the guess, at full resolution.
 RegistrationOptions iterations_alone();
 
-// The lengths to use: those set, and the rest derived.
+// The lengths to use: those that are set, the others derived.
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options);
 
-// What is minimised, before a lever weighs it; epsilon: the softening of Table 2.
+// The objective before a lever weighs it; epsilon: the softening of Table 2.
 InformationModel information_for(const RegistrationOptions& options, double epsilon = kTable2Epsilon);
 
 SurfaceOptions surface_options(const RegistrationOptions& options);

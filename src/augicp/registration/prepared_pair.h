@@ -5,14 +5,14 @@
 
 namespace augicp {
 
-// Two prepared scans and the lengths that they were prepared with; see prepare_pair().
+// Two prepared scans, and the lengths of their preparation; see prepare_pair().
 struct PreparedPair {
   Scan source, target;
   Lengths lengths;
 };
 
-// A view of two prepared scans, of a PreparedPair or of any other two: a sequence registers each scan with several
-// others, without copies. The scans must outlive it. Either may be empty.
+// A view of two prepared scans: a sequence registers each scan with several others, without copies. Either may be
+// empty. REQUIRES: the scans outlive it.
 struct ScanPair {
   const Scan& source;
   const Scan& target;

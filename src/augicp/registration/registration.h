@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The whole job on two raw inputs, and its stages for those who want to time, cache or replace them:
+// Registration of two raw inputs, and its stages for users who time, cache or replace them:
 //
 //   two Scans --prepare_pair--> PreparedPair --register_pair--> Registration
 //
 // Poses here are between the clouds' frames, origins included: x_in_target = target_from_source * x_in_source, metres.
-// Inside the library they are between the clouds' points. Bad data never throws: empty clouds, and clouds that do not
-// overlap, give a status. Options out of their range throw std::invalid_argument; a requested end throws Interrupted.
-// Thread safety: all functions may run concurrently. The results are bit-identical for any number of threads.
+// Inside the library they are between the clouds' points.
+//
+// Bad data never throws: empty and non-overlapping clouds give a status. Options out of their range throw
+// std::invalid_argument; a requested end throws Interrupted. Thread safety: all functions may run concurrently. Results
+// are bit-identical for any number of threads.
 #pragma once
 
 #include "augicp/registration/options.h"
@@ -14,14 +16,14 @@
 
 namespace augicp {
 
-// A result and what it was computed from. result.pairs indexes the points of the prepared scans.
+// A result and its inputs. result.pairs are indices of points of the prepared scans.
 struct Registration {
   AlignResult result;
   PreparedPair prepared;
 };
 
-// A scan of extended points: downsampled to one point a voxel unless it is an image; with directions and structures,
-// estimated unless the cloud brought them; with gradients of the intensity if the options compare intensities.
+// A scan of extended points. It is downsampled to one point per voxel unless it is an image. Directions and structures
+// are estimated unless the cloud has them, and gradients of the intensity if the options compare intensities.
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options);
 
 // Both scans, with the lengths that lengths_for() derives from them.
@@ -31,7 +33,7 @@ PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& o
 Registration register_pair(PreparedPair pair, const Rigid3& initial_target_from_source = {},
                            const RegistrationOptions& options = {});
 
-// The same for scans that stay where they are, as those of a sequence do.
+// The same for scans that stay in place, for instance those of a sequence.
 AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target_from_source,
                               const RegistrationOptions& options);
 

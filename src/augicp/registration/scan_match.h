@@ -9,12 +9,12 @@
 
 namespace augicp {
 
-// Are pairs found through the target's camera? Throws std::invalid_argument where that is asked for and there is none.
+// Whether pairs are found through the target's camera. Throws std::invalid_argument if that is requested and there is
+// no camera.
 bool is_projective(const Scan& target, Association association);
 
-// Two prepared scans and how pairs are found in them, both ways. Poses are between the clouds' points. The scans must
-// outlive it.
-// Thread safety: const calls may run concurrently.
+// Two prepared scans, with matchers in both directions. Poses are between the clouds' points. REQUIRES: the scans
+// outlive it. Thread safety: const calls may run concurrently.
 class ScanMatch {
  public:
   ScanMatch(const ScanPair& pair, const RegistrationOptions& options);

@@ -8,7 +8,7 @@
 namespace augicp {
 namespace {
 
-// Values beyond are not drawn to scale: their differences would not be finite.
+// Larger values are not drawn to scale: their differences would overflow.
 constexpr double kLargest = 1e300;
 
 double round_step(double least) {

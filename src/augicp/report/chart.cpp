@@ -12,7 +12,8 @@
 namespace augicp {
 namespace {
 
-// Strokes that people of any colour vision tell apart, by colour and by dashes: the page's style names so many.
+// Strokes that people with any colour vision can distinguish, by colour and by dashes: the number of those in the
+// page's style.
 constexpr std::size_t kNumStrokes = 6;
 
 bool is_whole(double value) { return std::floor(value) == value; }
@@ -85,7 +86,7 @@ std::string paths_svg(const std::string& title, const std::string& x_label, cons
   make_equal(area);
   std::string content = axes_svg(area, x_label, y_label);
   for (std::size_t i = 0; i < paths.size(); ++i) content += curve(area, x[i], y[i], i);
-  // Where a script puts its marker: the origin and the length of a metre.
+  // For the marker of the script: the origin and the length of a metre.
   content += fmt::format("<g class=\"marker\" data-x=\"{:.4f}\" data-y=\"{:.4f}\" data-scale=\"{:.6g}\"></g>\n",
                          area.at_x(0.0), area.at_y(0.0), area.at_x(1.0) - area.at_x(0.0));
   return svg(area, title, content);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves as inline SVG: what a report shows where no script runs, and what scripts replace by charts one can point at.
+// Curves as inline SVG: shown if no script runs, and otherwise replaced by interactive charts.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ namespace augicp {
 
 struct ChartSeries {
   std::string name;
-  std::vector<double> y{};            // one for each x; not finite: a hole
-  std::vector<double> low{}, high{};  // a band around y; empty, or as many
+  std::vector<double> y{};            // one per x; not finite: a hole
+  std::vector<double> low{}, high{};  // a band around y; empty, or one per x
 };
 
 struct Chart {
@@ -22,10 +22,10 @@ struct Chart {
   bool log_y = false;
   std::vector<double> x{};  // ascending
   std::vector<ChartSeries> series{};
-  std::optional<AxisRange> y_range{};  // not set: that of the series
+  std::optional<AxisRange> y_range{};  // empty: the range of the series
 };
 
-// A logarithmic axis where the values span more than a power of ten, and a linear one where they do not: there it would
+// Makes the axis logarithmic if the values span more than a power of ten, else linear: a logarithmic axis would then
 // have hardly a number.
 void choose_scale(Chart& chart);
 
@@ -34,7 +34,7 @@ AxisRange y_range_of(const Chart& chart);
 
 std::string chart_svg(const Chart& chart);
 
-// Lines in a plane, with one metre as long on both axes.
+// Lines in a plane, with the same scale on both axes.
 struct Path {
   std::string name;
   std::vector<Eigen::Vector2d> points;
@@ -42,7 +42,7 @@ struct Path {
 std::string paths_svg(const std::string& title, const std::string& x_label, const std::string& y_label,
                       const std::vector<Path>& paths);
 
-// Names of series beside the strokes that they are drawn with.
+// Names of series with the strokes that they are drawn with.
 std::string legend_html(const std::vector<std::string>& names);
 
 }  // namespace augicp

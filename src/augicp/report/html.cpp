@@ -4,7 +4,7 @@
 namespace augicp {
 namespace {
 
-// Of a byte of UTF-8; bytes above 127 stay as they are.
+// Escapes a byte of UTF-8; bytes above 127 stay unchanged.
 std::string escaped(char c) {
   switch (c) {
     case '&':
@@ -53,7 +53,7 @@ std::string json_in_html(std::string_view json) {
       text += "\\u003e";
     else if (rest.front() == '&')
       text += "\\u0026";
-    else if (rest == "\xe2\x80\xa8" || rest == "\xe2\x80\xa9") {  // U+2028, U+2029: line ends to JavaScript
+    else if (rest == "\xe2\x80\xa8" || rest == "\xe2\x80\xa9") {  // U+2028, U+2029: line ends in JavaScript
       text += rest == "\xe2\x80\xa8" ? "\\u2028" : "\\u2029";
       i += 2;
     } else

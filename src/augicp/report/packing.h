@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays as the page reads them: base64 of little-endian numbers.
+// Arrays in the form that the page reads: base64 of little-endian numbers.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace augicp {
 
-// Three float32 a point.
+// Three float32 per point.
 std::string packed_points(std::span<const Vec3f> points);
 
-// Three int8 a direction, 127 for 1: within half a degree, which no eye sees.
+// Three int8 per direction, 127 for 1: within half a degree, which is not visible.
 std::string packed_directions(std::span<const Vec3f> directions);
 
 std::string packed_bytes(std::span<const std::uint8_t> bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One HTML file that needs nothing else: no other file, and no network, which it forbids itself.
+// One complete HTML file: it needs no other file and no network, and its policy forbids both.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace augicp {
 
-// What is the same in every report. Made at build time; without a script the page is what its body says.
+// Parts shared by all reports, made at build time. Without a script the page shows its body only.
 struct PageBundle {
   std::string_view style;
   std::string_view script;         // empty: none
-  std::string_view script_sha256;  // base64; the browser runs no other script
+  std::string_view script_sha256;  // base64; the browser refuses every other script
 };
 
 struct Page {
@@ -20,7 +20,7 @@ struct Page {
   std::string data;   // JSON for the script
 };
 
-// The same bytes for the same page: no time, no machine.
+// The same page gives the same bytes: no time, no machine.
 std::string to_html(const Page& page, const PageBundle& bundle);
 
 }  // namespace augicp

@@ -7,8 +7,8 @@
 
 namespace augicp {
 
-// At most max_count of the indices 0 .. count - 1, ascending: one from each of equally long stretches, at a place
-// within it that looks random but is always the same. Every n-th pixel of an image would draw stripes.
+// At most max_count of the indices 0 .. count - 1, ascending: one from each of equally long stretches, at a
+// pseudo-random but fixed place within it. Every n-th pixel of an image would give stripes.
 std::vector<std::uint32_t> thinned_indices(std::size_t count, std::size_t max_count);
 
 }  // namespace augicp

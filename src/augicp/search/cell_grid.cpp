@@ -11,12 +11,13 @@
 namespace augicp {
 namespace {
 
-// So much larger than the distance are cells that no rounding puts two points nearer than it two cells apart.
+// Cells are this much larger than the distance, so that rounding never puts two points closer than the distance two
+// cells apart.
 constexpr double kCellPerDistance = 1.0 + 1e-5;
 
-// From so many cells on, neighbouring floats are more than a cell apart, so that only equal ones are near each other:
-// each then has a place of its own, far from all others. Counting cells there would put many into one, or leave the
-// range of integers.
+// From this many cells on, neighbouring floats are more than a cell apart, so only equal points are near each other.
+// Each value then gets a cell of its own, far from all others. Counting cells would put many values into one cell, or
+// overflow the integers.
 constexpr double kCountedCells = 1 << 26;
 constexpr std::int64_t kApart = std::int64_t{1} << 28;
 
@@ -72,7 +73,7 @@ void CellGrid::Walk::next(std::vector<std::uint32_t>& points) {
   const auto [x, y, z] = grid_.cells_[cell_++].place;
   std::size_t* column = columns_.data();
   for (const std::int64_t dx : {-1, 0, 1})
-    for (const std::int64_t dy : {-1, 0, 1}) {  // three cells along z follow one another
+    for (const std::int64_t dy : {-1, 0, 1}) {  // three cells along z are consecutive
       *column = grid_.seek(*column, {x + dx, y + dy, z - 1});
       const auto in_column = grid_.points_up_to(*column++, {x + dx, y + dy, z + 1});
       points.insert(points.end(), in_column.begin(), in_column.end());

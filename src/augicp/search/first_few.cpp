@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::size_t kLanes = 8;
 
-// For each of the ranks, a multiple of kLanes, how many are below.
+// For each rank, the number of ranks below it. REQUIRES: count is a multiple of kLanes.
 AUGICP_VECTORIZED void count_below(const Rank* __restrict ranks, std::size_t count, Rank* __restrict num_below) {
   using FourRanks [[gnu::vector_size(32)]] = Rank;
   for (std::size_t i = 0; i < count; i += kLanes) {
     FourRanks first, second, below_first{}, below_second{};
     std::memcpy(&first, ranks + i, sizeof first);
     std::memcpy(&second, ranks + i + kLanes / 2, sizeof second);
-    for (std::size_t k = 0; k < count; ++k) {  // what is true is -1
+    for (std::size_t k = 0; k < count; ++k) {  // true is -1
       below_first -= ranks[k] < first;
       below_second -= ranks[k] < second;
     }
@@ -27,7 +27,7 @@ AUGICP_VECTORIZED void count_below(const Rank* __restrict ranks, std::size_t cou
   }
 }
 
-// Sorted by where each belongs.
+// Moves each rank to its sorted position.
 void sort_few(Rank* ranks, std::size_t count) {
   std::array<Rank, kFewRanks> padded, num_below;
   std::fill(std::copy(ranks, ranks + count, padded.begin()), padded.end(), kMissing);

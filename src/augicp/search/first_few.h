@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest of the points that a query comes across. Not for users of the library.
+// The nearest of the points that a query meets. Internal.
 #pragma once
 
 #include <array>
@@ -13,8 +13,9 @@
 
 namespace augicp {
 
-// A squared distance and, below it, an index as one number: of two points the nearer one has the lower, of two equally
-// near ones that with the lower index. The bits of floats that are not negative are ordered as they are.
+// A squared distance and, below it, an index, as one number. The nearer of two points has the lower rank, and of two
+// equally near points the one with the lower index. (The bit patterns of non-negative floats are in the order of their
+// values.)
 using Rank = std::int64_t;
 constexpr Rank rank_of(float distance_sq, std::uint32_t index) {
   return Rank{std::bit_cast<std::int32_t>(distance_sq)} << 32 | index;
@@ -22,13 +23,12 @@ constexpr Rank rank_of(float distance_sq, std::uint32_t index) {
 constexpr std::uint32_t index_of(Rank rank) { return static_cast<std::uint32_t>(rank); }
 constexpr float distance_sq_of(Rank rank) { return std::bit_cast<float>(static_cast<std::int32_t>(rank >> 32)); }
 
-// Where there is no point: above those of all points.
+// No point: above the rank of every point.
 inline constexpr Rank kMissing =
     rank_of(std::numeric_limits<float>::infinity(), std::numeric_limits<std::uint32_t>::max());
 
-// The lowest ranks of those that were added. They are collected as they come, and sorted when many have gathered, by
-// comparing each with each: an insertion into a sorted list costs more, for the processor cannot guess where it will
-// be.
+// The lowest ranks of those added. Ranks are collected unsorted, and sorted by comparing each with each when enough
+// have gathered. Insertion into a sorted list is slower, because the processor cannot predict the place.
 inline constexpr std::size_t kFewRanks = 64;
 class FirstFew {
  public:
@@ -36,21 +36,21 @@ class FirstFew {
   FirstFew(const FirstFew&) = delete;
   FirstFew& operator=(const FirstFew&) = delete;
 
-  // Ranks from here on are none of the lowest.
+  // Ranks at or above this are not among the lowest.
   Rank limit() const { return limit_; }
 
-  // Those of a leaf's points, given their squared distances.
+  // Adds the points of a leaf, given their squared distances.
   void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq);
 
-  // In ascending order; fewer than count where fewer were added.
+  // In ascending order; fewer than count if fewer were added.
   std::span<const Rank> sorted();
 
  private:
   void keep_first();
 
-  std::size_t count_, enough_;  // so many are sorted
+  std::size_t count_, enough_;  // enough_: the number of ranks at which they are sorted
   std::array<Rank, kFewRanks> few_;
-  std::vector<Rank> many_;  // used instead where count asks for more
+  std::vector<Rank> many_;  // used instead if count is large
   Rank* ranks_;
   std::size_t num_ranks_ = 0;
   Rank limit_ = kMissing;

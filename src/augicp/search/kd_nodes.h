@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory of a KdTree: points and boxes in the order in which a query reads them. Not for users of the library.
+// The memory of a KdTree: points and boxes in the order in which a query reads them. Internal.
 #pragma once
 
 #include <array>
@@ -13,19 +13,19 @@ namespace augicp {
 // Four or sixteen numbers at once. The compiler makes one vector of four on any x86-64 and ARM.
 using FourFloats [[gnu::vector_size(16)]] = float;
 
-// Points side by side. What is missing in the last leaf lies at infinity, with an index above all others.
+// Points side by side. Missing points of the last leaf are at infinity, with an index above all others.
 struct KdLeaf {
   static constexpr std::size_t kPoints = 16;
   std::array<FourFloats, kPoints / 4> x, y, z;
   std::array<std::uint32_t, kPoints> index;
 };
 
-// The boxes around the points of its children, which are nodes or leaves. A box that is missing lies at infinity.
+// The boxes around the points of its children, which are nodes or leaves. A missing box is at infinity.
 struct KdNode {
   static constexpr std::size_t kChildren = 4;
   FourFloats min_x, min_y, min_z, max_x, max_y, max_z;
-  std::array<std::uint32_t, kChildren> least_index;  // of the points in the box
-  std::array<std::uint32_t, kChildren> child;        // the place of a node, or of a leaf with kIsLeaf
+  std::array<std::uint32_t, kChildren> least_index;  // lowest index of the points in the box
+  std::array<std::uint32_t, kChildren> child;        // index of a node, or of a leaf with kIsLeaf set
   static constexpr std::uint32_t kIsLeaf = std::uint32_t{1} << 31;
 };
 
@@ -34,8 +34,8 @@ struct KdNodes {
   std::vector<KdLeaf> leaves;
 };
 
-// Halves the points at the median of their longest side, down to leaves that are full but for the last. So the depth
-// depends on nothing but the number of points, however they lie. None for an empty cloud.
+// Splits the points at the median of the longest side of their box, down to leaves that are all full except the last
+// one. The depth depends only on the number of points, not on their positions. Empty for an empty cloud.
 KdNodes build_kd_nodes(const Cloud& cloud);
 
 }  // namespace augicp

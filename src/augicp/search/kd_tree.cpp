@@ -10,20 +10,20 @@
 namespace augicp {
 namespace {
 
-// A point, four times each of its coordinates.
+// A point, with each coordinate four times.
 struct Query {
   explicit Query(const Vec3f& point)
       : x(FourFloats{} + point.x()), y(FourFloats{} + point.y()), z(FourFloats{} + point.z()) {}
   FourFloats x, y, z;
 };
 
-// How far a number is outside of an interval.
+// The distance of a number from an interval.
 FourFloats outside(const FourFloats& min, const FourFloats& number, const FourFloats& max) {
   const FourFloats below = min - number, above = number - max, farther = below < above ? above : below;
   return farther > 0.0f ? farther : FourFloats{};
 }
 
-// To the children's boxes. Rounded in the same way as distances to the points inside, so that none of these is less.
+// Squared distances to the children's boxes. Rounded like distances to the points inside, so none of these is less.
 FourFloats distances_sq(const Query& query, const KdNode& node) {
   const FourFloats dx = outside(node.min_x, query.x, node.max_x), dy = outside(node.min_y, query.y, node.max_y),
                    dz = outside(node.min_z, query.z, node.max_z);
@@ -40,7 +40,7 @@ std::array<float, KdLeaf::kPoints> distances_sq(const Query& query, const KdLeaf
   return all;
 }
 
-// As FirstFew, of one.
+// FirstFew with one rank.
 class First {
  public:
   explicit First(Rank limit) : limit_(limit) {}
@@ -54,7 +54,7 @@ class First {
   Rank limit_;
 };
 
-// As First, of kFew.
+// First with kFew ranks.
 class FirstOfFew {
  public:
   explicit FirstOfFew(Rank limit) { ranks_.fill(limit); }
@@ -63,7 +63,7 @@ class FirstOfFew {
   void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq) {
     for (std::size_t k = 0; k < KdLeaf::kPoints; ++k) {
       Rank rank = rank_of(distances_sq[k], leaf.index[k]);
-      for (Rank& kept : ranks_) {  // takes the lower and hands on the higher, without a branch
+      for (Rank& kept : ranks_) {  // keeps the lower and passes on the higher, without a branch
         const Rank lower = std::min(kept, rank);
         rank = std::max(kept, rank);
         kept = lower;
@@ -79,16 +79,17 @@ std::optional<Neighbour> neighbour_below(Rank limit, Rank rank) {
   return rank < limit ? std::optional(Neighbour{index_of(rank), distance_sq_of(rank)}) : std::nullopt;
 }
 
-// What is still to be looked at: a node or a leaf, see KdNode. No point in it has a lower rank.
+// A node or leaf that is still to be visited, see KdNode. No point in it has a lower rank.
 struct Visit {
   Rank least;
   std::uint32_t child;
 };
 
-// Three stay open on a level, and of 2^32 points there are 15: each level has a fourth of the leaves of the one above.
+// At most three stay open on a level. 2^32 points have 15 levels, because each has a fourth of the leaves of the one
+// above.
 constexpr std::size_t kMaxOpen = 64;
 
-// Adds the children that may hold a point below the limit, the nearest of them last. Returns the end of the open ones.
+// Adds the children that may have a point below the limit, the nearest last. Returns the end of the open ones.
 Visit* open_children(const Query& query, const KdNode& node, Rank limit, Visit* open) {
   const FourFloats distance_sq = distances_sq(query, node);
   Visit* const first = open;
@@ -158,7 +159,7 @@ NearestFew KdTree::nearest_few(const Vec3f& query, float max_distance_sq,
                                const std::array<std::uint32_t, kFew>& likely) const {
   NearestFew found;
   if (!query.allFinite() || !(max_distance_sq > 0.0f)) return found;
-  Rank farthest = 0;  // as many points as are asked for are no farther
+  Rank farthest = 0;  // enough points are at most this far
   for (const std::uint32_t index : likely) farthest = std::max(farthest, index_->rank(query, index));
   const Rank limit = std::min(rank_of(max_distance_sq, 0), farthest + 1);
   FirstOfFew first(limit);

@@ -9,10 +9,11 @@
 namespace augicp {
 namespace {
 
-// Distances are known to some 3e-7 of their length, but where their squares leave the range of float.
+// Distances have a relative error of about 3e-7, except if their squares leave the range of float.
 constexpr float kSure = 1.0f - 1e-5f, kShortest = 1e-15f, kLongest = 1e18f;
 
-// Is a point at `distance` nearer to where the query is now than all that were beyond `others_beyond` of where it was?
+// Whether a point at `distance` is closer to the query than every point that was beyond `others_beyond` before the
+// query moved.
 bool is_surely_nearer(float distance, float others_beyond, float moved) {
   return others_beyond > kShortest && distance + moved < kSure * others_beyond;
 }

@@ -11,28 +11,31 @@
 
 namespace augicp {
 
-// The nearest points of queries that come again, each a little moved, as those of a source under one pose of a loop
-// after the other. Of each the nearest few are remembered. All others were at least as far away as the last of these:
-// where one of them is nearer than that less the way that the query has moved, it is the nearest of all, and no search
-// is needed (the idea is that of Greenspan and Godin 2001, "A nearest neighbor method for efficient ICP"). What is
-// found is what KdTree::nearest() finds, bit by bit, however queries move.
+// Nearest neighbours of queries that repeat with small motions, such as the source points in the iterations of a
+// registration. Results are bit-identical to KdTree::nearest(), for any motion of the queries.
+//
+// For each query the kFew nearest points of the last search are remembered, with d_last, the distance of the last of
+// them. Invariant: no other point was closer than d_last to the query's last searched place. If the query moved by m
+// since then, and a remembered point is now closer than d_last - m, that point is the nearest; no search is needed. The
+// idea is from Greenspan and Godin 2001, "A nearest neighbor method for efficient ICP".
 class NearestMemory {
  public:
-  // Of queries 0, ..., num_queries - 1. The tree must outlive it.
+  // For queries 0, ..., num_queries - 1. REQUIRES: the tree outlives the memory.
   NearestMemory(const KdTree& tree, std::size_t num_queries) : tree_(tree), known_(num_queries) {}
 
-  // likely: a query asked before whose place is not far, or this one. Calls for different queries may run concurrently
-  // if they name no other as likely that another call is for.
+  // The nearest tree point to `place`, at a squared distance below max_distance_sq; empty if there is none. likely: a
+  // query that was asked before and whose place is close, or this query itself. Thread safety: calls for different
+  // queries may run concurrently if no call names as `likely` a query of another call.
   std::optional<Neighbour> nearest(std::size_t query, const Vec3f& place, float max_distance_sq, std::size_t likely);
 
  private:
   static constexpr std::uint32_t kNone = -1;
 
-  static_assert(kFew == 3);  // as many as named here
+  static_assert(kFew == 3);  // one initialiser per remembered point
   struct Known {
     Vec3f place = Vec3f::Zero();
     std::array<std::uint32_t, kFew> nearest{kNone, kNone, kNone};
-    float others_beyond = 0.0f;  // no other point was nearer to the place, metres
+    float others_beyond = 0.0f;  // d_last: no other point was closer to the place, metres
   };
   Neighbour nearest_known(const Known& known, const Vec3f& place) const;
 

@@ -18,14 +18,14 @@ struct NamedCamera {
   DepthCamera camera;
 };
 
-// A Kinect of the first kind reads a frame from top to bottom in about the time between frames. On TUM fr1, 0.8 to 1.2
-// of it serve equally; without it the error per frame is up to a third larger. Not for 7-Scenes: where images are
-// repeated under new numbers, the speed between two of them says nothing about either.
+// A first-generation Kinect reads a frame from top to bottom in about a frame period. On TUM fr1, 0.8 to 1.2 of it work
+// equally well; without it the error per frame is up to a third larger. Not for 7-Scenes: some images are repeated
+// under new numbers, so velocities between frames are meaningless.
 constexpr double kKinectReadout_s = 1.0 / 30.0;
 
-// TUM RGB-D: the data set's published calibrations of the colour camera, whose lens the depth, registered to colour,
-// has too; fr3's images were freed of it by its makers. The ROS default it recommends; 7-Scenes and PrimeSense: the
-// factory values those data sets state.
+// TUM RGB-D: the published calibrations of the colour camera. Its lens applies to the depth, which is registered to
+// colour; fr3's images were undistorted by the authors. tum-default: the ROS default that the data set recommends.
+// 7-Scenes and PrimeSense: the factory values that those data sets state.
 constexpr std::array<NamedCamera, 6> kCameras{{
     {"tum-default", {{525.0, 525.0, 319.5, 239.5, 640, 480}, {}, kKinectReadout_s}},
     {"tum-fr1", {{517.3, 516.5, 318.6, 255.3, 640, 480}, {0.2624, -0.9531, -0.0054, 0.0026, 1.1633}, kKinectReadout_s}},
@@ -46,7 +46,7 @@ inline Seen distorted(const Distortion& d, double x, double y) {
           y * radial + d.p1 * (r_sq + 2.0 * y * y) + 2.0 * d.p2 * x * y};
 }
 
-// For a row of width pixels of the ideal image, where in the camera's images each is seen: row-major, -1 outside.
+// For a row of width pixels of the ideal image: the row-major index of each in the camera's image, -1 outside.
 AUGICP_VECTORIZED void find_row(const DepthCamera& camera, const Pinhole& ideal, int v, int width,
                                 std::int32_t* __restrict place) {
   const Pinhole pinhole = camera.pinhole;
@@ -54,7 +54,7 @@ AUGICP_VECTORIZED void find_row(const DepthCamera& camera, const Pinhole& ideal,
   const double image_width = pinhole.width, image_height = pinhole.height, y = (v - ideal.cy) / ideal.fy;
   for (int u = 0; u < width; ++u) {
     const Seen seen = distorted(lens, (u - ideal.cx) / ideal.fx, y);
-    // The pixel that a coordinate falls on; comparisons first, so that huge values never reach the conversion.
+    // The pixel of a coordinate. Comparisons come first, so that huge values never reach the conversion.
     const double column = pinhole.fx * seen.x + pinhole.cx + 0.5, row = pinhole.fy * seen.y + pinhole.cy + 0.5;
     const bool inside = (column >= 0.0) & (column < image_width) & (row >= 0.0) & (row < image_height);
     place[u] = static_cast<std::int32_t>(inside ? row : 0.0) * pinhole.width +
@@ -63,11 +63,11 @@ AUGICP_VECTORIZED void find_row(const DepthCamera& camera, const Pinhole& ideal,
   }
 }
 
-// The values of an image of the camera's as thinned(camera.pinhole, step) would have seen them; NaN outside.
+// The values of the camera's image as thinned(camera.pinhole, step) would see them; NaN outside.
 std::vector<float> rectified(const std::vector<float>& values, int width, int height, const DepthCamera& camera,
                              int step) {
   const Pinhole seen_by = thinned(camera.pinhole, step);
-  DepthCamera whole = camera;  // whose images' size may be unknown
+  DepthCamera whole = camera;  // the camera's image size may be unknown
   whole.pinhole.width = width, whole.pinhole.height = height;
   const int num_rows = height / step, num_columns = width / step;
   std::vector<float> result(static_cast<std::size_t>(num_columns) * num_rows);

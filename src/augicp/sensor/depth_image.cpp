@@ -10,7 +10,7 @@
 namespace augicp {
 namespace {
 
-// The largest value says "out of range" where it is written at all (7-Scenes); no sensor measures up to it.
+// The largest value means "out of range" in data that use it (7-Scenes); no sensor measures that far.
 constexpr std::uint16_t kOutOfRange = 65535;
 
 float metres(std::uint16_t value, double depth_scale) {

@@ -8,21 +8,22 @@
 
 namespace augicp {
 
-// Where nothing says how many frames a second there were.
+// The frame rate if none is given, per second.
 inline constexpr double kUsualFramesPerS = 30.0;
 
 struct DepthFrame {
   double stamp_s = 0.0;
   DepthImage image;
-  std::string problem;  // not empty: the image could not be read, and why
+  std::string problem;  // why the image could not be read; empty if it could
 };
 
-// Where the frames of a sequence come from. next() is called from one thread at a time, though not always the same.
+// A source of the frames of a sequence. Thread safety: one thread at a time calls next(), though not always the same
+// thread.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  // The next frame, or nothing after the last. What it throws ends the run.
+  // The next frame; empty after the last. An exception ends the run.
   virtual std::optional<DepthFrame> next() = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace augicp {
 
-// How bright each pixel is, in [0, 1], row-major; NaN where that is not known.
+// Brightness of each pixel in [0, 1], row-major; NaN if unknown.
 struct GreyImage {
   int width = 0;
   int height = 0;
@@ -17,11 +17,10 @@ struct GreyImage {
   float at(int u, int v) const { return value[static_cast<std::size_t>(v) * width + u]; }
 };
 
-// Throws std::invalid_argument where the array's length is not width * height.
+// Throws std::invalid_argument if the array's length is not width * height.
 void check_size(const GreyImage& image);
 
-// Gives every point the brightness of the pixel that it was seen in. Throws std::invalid_argument where the two images
-// are not of one size.
+// Gives every point the brightness of its pixel. Throws std::invalid_argument if the sizes of the two images differ.
 void add_intensities(Cloud& cloud, const IndexImage& seen, const GreyImage& image);
 
 }  // namespace augicp

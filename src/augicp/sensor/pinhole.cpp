@@ -9,7 +9,7 @@
 namespace augicp {
 
 void Pinhole::check() const {
-  // Far beyond any camera, and within what the projection's floats can hold.
+  // Far beyond any camera, and within the range of the projection's floats.
   constexpr double kMin = 1e-3, kMax = 1e6;
   for (const auto& [name, value] : {std::pair{"fx", fx}, std::pair{"fy", fy}})
     require(value >= kMin && value <= kMax, name, value, "must be from 0.001 to 1e6 pixels");

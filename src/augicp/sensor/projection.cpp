@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-// What a point's place in the image depends on, as float.
+// The view in float.
 struct View {
   float rotation[9];  // row by row
   float translation[3];
@@ -28,7 +28,7 @@ View view_of(const Rigid3& camera_from_points, const Pinhole& camera, int width,
   return view;
 }
 
-// Where a point is seen: its pixel, negative outside the image, and its depth.
+// The pixel of a point, negative outside the image, and its depth.
 struct Projected {
   explicit Projected(std::size_t count)
       : pixel(std::make_unique_for_overwrite<std::int32_t[]>(count)),
@@ -37,7 +37,7 @@ struct Projected {
   std::unique_ptr<float[]> depth;
 };
 
-// xyz: three numbers a point.
+// xyz: three numbers per point.
 AUGICP_VECTORIZED void project_block(const float* __restrict xyz, std::size_t count, const View& __restrict view,
                                      std::int32_t* __restrict pixel, float* __restrict depth) {
   const float* const r = view.rotation;
@@ -48,7 +48,7 @@ AUGICP_VECTORIZED void project_block(const float* __restrict xyz, std::size_t co
     const float x = r[0] * px + r[1] * py + r[2] * pz + t[0];
     const float y = r[3] * px + r[4] * py + r[5] * pz + t[1];
     const float z = r[6] * px + r[7] * py + r[8] * pz + t[2];
-    // Adding a half and flooring rounds to the pixel; written as comparisons first, so that huge values never reach the
+    // Adding a half and flooring rounds to the pixel. Comparisons come first, so that huge values never reach the
     // conversion to int.
     const float u = view.fx * x / z + view.cx + 0.5f, v = view.fy * y / z + view.cy + 0.5f;
     const bool inside = (z > 0.0f) & (u >= 0.0f) & (v >= 0.0f) & (u < view.width) & (v < view.height);
@@ -71,8 +71,8 @@ IndexImage project(const Cloud& cloud, const Rigid3& camera_from_points, const P
     project_block(cloud.points[begin].data(), end - begin, view, &projected.pixel[begin], &projected.depth[begin]);
   };
   for_each_block(cloud.size(), num_threads, project_points, kLightBlockSize);
-  // The z-buffer, whose cells are the image: the nearest point, and among equals the first. On one thread: it takes
-  // less time than threads would need to exchange cells without losing a point.
+  // The z-buffer, whose cells are the image: the nearest point wins, and among equals the first. On one thread:
+  // exchanging cells between threads without losing a point would take longer.
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (projected.pixel[i] < 0) continue;
     std::int32_t& nearest = seen.index[static_cast<std::size_t>(projected.pixel[i])];

@@ -8,9 +8,9 @@
 
 namespace augicp {
 
-// Which point of the cloud a camera would see in each pixel, were nothing but these points there: where several fall on
-// one pixel, the nearest to the camera (a z-buffer); the lowest index among equally near. camera_from_points maps the
-// cloud's points, without their origin, into the camera frame. The result is the same for any number of threads.
+// Projects a cloud into a camera: the index of the point that each pixel sees. If several points fall on a pixel, the
+// nearest to the camera wins (a z-buffer), and among equally near ones the lowest index. camera_from_points maps the
+// cloud's points, without their origin, into the camera frame. Bit-identical for any number of threads.
 IndexImage project(const Cloud& cloud, const Rigid3& camera_from_points, const Pinhole& camera, int width, int height,
                    int num_threads = 0);
 

@@ -7,12 +7,12 @@
 
 namespace augicp {
 
-// One input of a registration: a cloud, and where it came from a depth image, the pixels and the camera.
+// One input of a registration: a cloud and, if it comes from a depth image, the pixels and the camera.
 struct Scan {
   struct View {
     IndexImage index;
     Pinhole camera;
-    bool rolling_shutter = false;  // the rows were read one after the other
+    bool rolling_shutter = false;  // whether the rows were read one after the other
   };
 
   Cloud cloud;
@@ -21,22 +21,22 @@ struct Scan {
 
 inline Scan scan_of(Cloud cloud) { return {std::move(cloud), std::nullopt}; }
 
-// See unproject().
+// A scan from an image of a pinhole camera. See unproject().
 inline Scan scan_of(const DepthImage& image, const Pinhole& camera, const DepthRange& range = {},
                     const DepthNoise& noise = {}) {
   OrganizedCloud seen = unproject(image, camera, range, noise);
   return {std::move(seen.cloud), Scan::View{std::move(seen.index), camera, false}};
 }
 
-// The same from what a real camera saw, free of its lens: see rectify().
+// A scan from an image of a real camera; the lens is removed, see rectify().
 inline Scan scan_of(const DepthImage& image, const DepthCamera& camera, int step = 1, const DepthRange& range = {}) {
   Scan scan = scan_of(rectify(image, camera, step), thinned(camera.pinhole, step), range);
   scan.view->rolling_shutter = camera.readout_s > 0.0;
   return scan;
 }
 
-// The same with a colour image's brightness, registered to the depth image. Throws std::invalid_argument where their
-// sizes differ.
+// The same with the brightness of a colour image that is registered to the depth image. Throws std::invalid_argument if
+// their sizes differ.
 inline Scan scan_of(const DepthImage& image, const GreyImage& colour, const DepthCamera& camera, int step = 1,
                     const DepthRange& range = {}) {
   Scan scan = scan_of(image, camera, step, range);

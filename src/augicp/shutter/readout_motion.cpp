@@ -15,25 +15,26 @@ namespace {
 using Vec18 = Eigen::Matrix<double, 18, 1>;
 using Mat18 = Eigen::Matrix<double, 18, 18>;
 
-// How far a camera in a hand turns and moves during a readout of a thirtieth of a second (standard deviations).
+// Rotation and translation of a hand-held camera during a readout of a thirtieth of a second (standard deviations).
 constexpr double kUsualTurn = 3.0 * kRadPerDeg;
 constexpr double kUsualShift = 0.005;
 
-// The errors of a depth image's neighbouring points are alike, so that all its thousands of pairs together say as much
-// as so many that err independently. Chosen on fr1/desk, where a quarter and four times as many do hardly worse.
+// Errors of neighbouring points of a depth image are correlated, so its thousands of pairs count like this number of
+// independent ones. Chosen on fr1/desk; a quarter and four times the number are hardly worse.
 constexpr double kIndependentPairs = 15.0;
 
 constexpr std::size_t kMinPairs = 300;
 constexpr float kSigmaPerMedian = 1.4826f;  // of normally distributed errors
 constexpr double kOutlierSigmas = 2.0;
 
-// The distance of a pair along the target's normal, what the eighteen unknowns do to it, and its relative information.
+// The distance of a pair along the target's normal, its derivative by the eighteen unknowns, and its relative
+// information.
 struct PlaneError {
   Vec18 derivative;
   double error, information;
 };
 
-// When each point was read.
+// The time of readout of each point.
 std::vector<float> readout_times(const Scan& scan) {
   const IndexImage& seen = scan.view->index;
   std::vector<float> times(scan.cloud.size());
@@ -73,7 +74,7 @@ double typical_error(const std::vector<PlaneError>& errors) {
   return kSigmaPerMedian * median(sizes);
 }
 
-// An increment of a pose, seen from the frame that the motion leads into.
+// An increment of a pose, expressed in the frame that the motion leads to.
 Vec6d seen_from(const Rigid3& b_from_a, const Vec6d& increment_in_a) {
   const Vec3d turn = b_from_a.rotation * increment_in_a.tail<3>();
   Vec6d increment;

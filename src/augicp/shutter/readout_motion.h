@@ -8,8 +8,8 @@
 
 namespace augicp {
 
-// How two rolling-shutter cameras moved while each read out its image, as without_skew() takes it: the pose at the last
-// row in the frame of the first.
+// The motions of two rolling-shutter cameras during the readout of their images, in the form of without_skew(): the
+// pose at the last row in the frame of the first.
 struct ReadoutMotion {
   Rigid3 source, target;
 };
@@ -22,11 +22,10 @@ struct SkewedPair {
   Scan straight_source, straight_target;
 };
 
-// The motion that the pairs show, found so far and improved by one step. Each camera's motion adds six unknowns to the
-// pose's: a point read at time tau of the readout, from -1/2 at the first row to 1/2 at the last, is off by tau times
-// the motion, so that the derivatives of Eq. (12) for it are tau times those for the pose; all eighteen are solved for
-// at once. A scene shows little more than the difference of both motions. What it does not show is held near zero by
-// how fast hands turn and move a camera.
+// Improves the motion by one step, from the pairs. Each camera's motion adds six unknowns to the pose. A point read at
+// time tau of the readout, from -1/2 at the first row to 1/2 at the last, is off by tau times the motion. So its
+// derivatives of Eq. (12) are tau times those of the pose; all eighteen unknowns are solved at once. A scene constrains
+// little more than the difference of both motions. A prior for the speed of hand-held cameras keeps the rest near zero.
 ReadoutMotion improved(const ReadoutMotion& so_far, const SkewedPair& scans, std::span<const Correspondence> pairs,
                        const Rigid3& target_from_source);
 

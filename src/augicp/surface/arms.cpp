@@ -38,9 +38,9 @@ Line image_line(const Cloud& cloud, const IndexImage& index, bool along_rows, in
 Reach reach_along(const Line& line, const Cloud& cloud, const std::vector<double>& half_side) {
   const auto count = static_cast<std::int32_t>(line.point.size());
   Reach reach{std::vector<std::int32_t>(count), std::vector<std::int32_t>(count)};
-  // Neighbouring entries reach about as far, so a search starts where the last one's ended and goes inwards, at the
-  // worst to the entry itself, then outwards. First ends are searched for from left to right and last ends from right
-  // to left, so that the start is rather too far out than too far in: one noisy entry then does not cut an arm short.
+  // Neighbouring entries have a similar reach. So each search starts at the end of the last one and moves inwards, at
+  // most to the entry itself, then outwards. First ends are searched from left to right and last ends from right to
+  // left. The start is then rather too far out than too far in, so one noisy entry does not cut an arm short.
   const auto end_of = [&](std::int32_t i, std::int32_t start, std::int32_t outwards) {
     const Vec3f& centre = cloud.points[line.point[i]];
     const double limit = half_side[line.point[i]];

@@ -31,7 +31,7 @@ std::size_t BallCandidates::append_in_ball(const Vec3f& centre, float radius_sq,
   measure_distances(x_.data(), y_.data(), z_.data(), count, centre.x(), centre.y(), centre.z(), distance_sq_.data());
   neighbours.resize(first + count);
   std::size_t next = first;
-  for (std::size_t k = 0; k < count; ++k) {  // without a branch, which would be guessed wrong for a third of them
+  for (std::size_t k = 0; k < count; ++k) {  // no branch: a third of them would be mispredicted
     neighbours[next] = index_[k];
     next += distance_sq_[k] < radius_sq ? 1 : 0;
   }

@@ -8,15 +8,16 @@
 
 namespace augicp {
 
-// Points among which the neighbours of several others are looked for, as arrays, so that compilers make vectors of
-// their distances.
+// The points among which the neighbours of several others are searched, as arrays, so that compilers vectorise their
+// distances.
 class BallCandidates {
  public:
-  // To be filled; then read() fetches the points.
+  // Fill this, then read() fetches the points.
   std::vector<std::uint32_t>& index() { return index_; }
   void read(const Cloud& cloud);
 
-  // Appends those nearer to the centre than the square root of radius_sq, in the same order; says how many they are.
+  // Appends the candidates closer to the centre than the square root of radius_sq, in their order, and returns their
+  // number.
   std::size_t append_in_ball(const Vec3f& centre, float radius_sq, std::vector<std::uint32_t>& neighbours);
 
  private:

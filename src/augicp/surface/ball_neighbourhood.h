@@ -13,22 +13,21 @@ namespace augicp {
 struct BallOptions {
   double radius = 0.0;  // metres, above 0
 
-  // Where fewer points than this lie in the ball it grows to hold as many, up to max_radius: scans of spinning sensors
-  // thin out with distance.
+  // A ball with fewer points than this grows until it has them, up to max_radius: scans of spinning sensors become
+  // sparse with distance.
   std::size_t min_points = 0;
   double max_radius = 0.0;  // metres; below radius: the ball never grows
 };
 
-// Section 4.1 for any cloud: the points in a fixed ball.
-// Memory is bounded: throws std::invalid_argument where the balls hold more than 512 points on average, and 2^24
-// together.
+// Section 4.1 for any cloud: the points in a fixed ball. Memory is bounded: throws std::invalid_argument if the balls
+// hold more than 512 points on average, and 2^24 in total.
 class BallNeighbourhood : public Neighbourhood {
  public:
   BallNeighbourhood(const Cloud& cloud, const BallOptions& options, int num_threads);
   Channels sum(const Channels& values, int num_threads) const override;
 
  private:
-  struct List {  // of some points: how many neighbours each has, and the neighbours of all
+  struct List {  // for some points: the number of neighbours of each, and the neighbours of all
     std::vector<std::pair<std::uint32_t, std::size_t>> points;
     std::vector<std::uint32_t> neighbours;
   };
@@ -43,7 +42,7 @@ class BallNeighbourhood : public Neighbourhood {
   struct Range {
     std::size_t begin = 0, count = 0;
   };
-  std::vector<Range> of_point_;  // where each point's neighbours are
+  std::vector<Range> of_point_;  // the range of each point's neighbours
   std::vector<std::uint32_t> neighbours_;
 };
 

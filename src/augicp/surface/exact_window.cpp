@@ -8,10 +8,10 @@ namespace {
 
 constexpr std::size_t kPointsPerBlock = 256;
 
-// A row's nearest ray to the centre is not exactly the one in the centre's column.
+// The ray of a row that is nearest to the centre is not exactly the one in the centre's column.
 constexpr double kSlack = 1.5;
 
-// The run each point belongs to within its row and within its column.
+// The run of each point within its row and within its column.
 struct Runs {
   std::vector<std::int32_t> in_row, in_column;
 };
@@ -28,13 +28,13 @@ Runs find_runs(const Cloud& cloud, const IndexImage& index, double max_step_per_
   return runs;
 }
 
-// Distance from the centre to the ray on which a point was seen. It grows with the pixel distance, so that a search
-// that walks away from the centre may stop where it exceeds the ball.
+// The distance from the centre to the ray of a point. It grows with the pixel distance, so a search that moves away
+// from the centre may stop once it exceeds the ball.
 double distance_to_ray(const Vec3f& centre, const Vec3f& seen) {
   return static_cast<double>(centre.cross(seen.normalized()).norm());
 }
 
-// Appends the points of row v in the ball around centre, walking from column u both ways within the run of (u, v).
+// Appends the points of row v in the ball around centre, from column u in both directions within the run of (u, v).
 void collect_row(const Cloud& cloud, const IndexImage& index, const Runs& runs, int u, int v, const Vec3f& centre,
                  double radius, std::vector<std::uint32_t>& found) {
   const std::int32_t run = runs.in_row[index.at(u, v)];

@@ -15,24 +15,24 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kNumNeighbours = 20;  // the point itself among them
+constexpr std::size_t kNumNeighbours = 20;  // including the point itself
 constexpr std::size_t kMinNeighbours =
-    6;                          // a slope and its height are three numbers; as many again tell how well it fits
-constexpr int kHalfWindow = 2;  // of images: 25 pixels, as many points
+    6;                          // a slope and its height are three numbers; three more show how well they fit
+constexpr int kHalfWindow = 2;  // images: a window of 25 pixels
 constexpr std::size_t kPointsPerBlock = 256, kRowsPerBlock = 8;
 
-// A slope counts where each of its two numbers explains so many times the variance of what is left. Even noise passes
-// in about one case in a thousand (the F distribution's percentile for 2 and 17 degrees of freedom); those that pass
-// are the steepest, so that few must.
+// A slope counts if each of its two numbers explains this many times the residual variance. Noise passes in about one
+// case in a thousand (the percentile of the F distribution with 2 and 17 degrees of freedom). Those that pass are the
+// steepest, so few may pass.
 constexpr double kMinSignificance = 10.7;
 
-// Points whose spread across is less than this part of that along lie on a line.
+// Points lie on a line if their spread across it is below this share of that along it.
 constexpr double kMinSpread = 0.05;
 
 using Matrix2 = Eigen::Matrix2d;
 using Vector2 = Eigen::Vector2d;
 
-// Sums of the neighbours' places in the tangent plane and of their intensities, relative to the point's own.
+// Sums of the neighbours' positions in the tangent plane and of their intensities, relative to the point's own.
 struct Moments {
   double count = 0.0, value = 0.0, value_sq = 0.0;
   Vector2 place = Vector2::Zero(), place_value = Vector2::Zero();
@@ -65,7 +65,7 @@ class Estimator {
  public:
   Estimator(const Cloud& cloud, double radius) : cloud_(cloud), radius_sq_(radius * radius) {}
 
-  // near: indices of points around the point.
+  // near: indices of the points around the point.
   Vec3f gradient(std::size_t i, std::span<const std::uint32_t> near) const {
     const auto here = static_cast<double>(cloud_.intensities[i]);
     if (cloud_.structures[i] != Structure::Planar || std::isnan(here)) return Vec3f::Zero();
@@ -88,7 +88,7 @@ class Estimator {
   double radius_sq_;
 };
 
-// Throws std::invalid_argument where there is nothing to estimate from. False for an empty cloud.
+// Throws std::invalid_argument if the cloud lacks the inputs. Returns false for an empty cloud.
 bool begin_estimate(Cloud& cloud, double radius) {
   require_positive("radius", radius);
   if (!cloud.empty() && !(cloud.has_intensities() && cloud.has_directions()))
@@ -97,7 +97,7 @@ bool begin_estimate(Cloud& cloud, double radius) {
   return !cloud.empty();
 }
 
-// The points seen in the window around a pixel.
+// Finds the points in the window around a pixel.
 void find_in_window(const IndexImage& seen, int u, int v, std::vector<std::uint32_t>& near) {
   near.clear();
   for (int row = std::max(0, v - kHalfWindow); row <= std::min(seen.height - 1, v + kHalfWindow); ++row)

@@ -6,14 +6,14 @@
 
 namespace augicp {
 
-// How the intensity changes along the surface around every planar point: the least-squares slope in its tangent plane
-// over its nearest points, none farther than radius (metres, above 0). Zero for other structures, where too few points
-// are near or lie on a line, and where the slope does not stand out of what it leaves unexplained: noise would
-// otherwise look like texture, and hold poses that nothing holds. The cloud needs intensities and directions; gradients
-// that it had are replaced.
+// Estimates the gradient of the intensity along the surface at every planar point: the least-squares slope in its
+// tangent plane over its nearest points, within radius (metres, above 0). The gradient is zero for other structures, if
+// too few points are near, if they lie on a line, and if the slope does not stand out of its residuals. Otherwise noise
+// would look like texture and constrain poses that nothing constrains. Existing gradients are replaced. REQUIRES: the
+// cloud has intensities and directions.
 void estimate_intensity_gradients(Cloud& cloud, double radius, int num_threads);
 
-// The same for what an image shows, over the points of the pixels around each: a tenth of the time.
+// The same for a depth image, over the points of the surrounding pixels. Takes a tenth of the time.
 void estimate_intensity_gradients(Cloud& cloud, const IndexImage& seen, double radius, int num_threads);
 
 }  // namespace augicp

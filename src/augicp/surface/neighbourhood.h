@@ -7,16 +7,16 @@
 
 namespace augicp {
 
-// Per-point quantities, one column a point.
+// Per-point quantities, one column per point.
 using Channels = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic>;
 
-// Which points count as near each point of a cloud: the one thing in which depth images and other clouds differ when
-// surfaces are estimated. Const calls may run concurrently.
+// Which points are near each point of a cloud. This is the only difference between depth images and other clouds in
+// surface estimation. Thread safety: const calls may run concurrently.
 class Neighbourhood {
  public:
   virtual ~Neighbourhood() = default;
 
-  // Column i of the result is the sum of the columns of `values` over the neighbours of point i, itself among them.
+  // Column i of the result is the sum of the columns of `values` over the neighbours of point i, including point i.
   virtual Channels sum(const Channels& values, int num_threads) const = 0;
 };
 

@@ -8,8 +8,8 @@ namespace augicp {
 
 Eigen3 eigen_of_symmetric(const Mat3d& matrix) {
   Eigen::SelfAdjointEigenSolver<Mat3d> solver;
-  solver.computeDirect(matrix);  // closed form, to eight digits: surfaces on clouds take a fifth less time
-  // Rounding may leave the smallest eigenvalue of points on a plane just below zero.
+  solver.computeDirect(matrix);  // closed form, to eight digits: a fifth less time for surfaces of clouds
+  // Rounding may give points on a plane a smallest eigenvalue slightly below zero.
   return {solver.eigenvalues().cwiseMax(0.0), solver.eigenvectors()};
 }
 

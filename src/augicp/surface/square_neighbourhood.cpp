@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kRowsPerBlock = 8;
 
-// Column (v * (width + 1) + u) holds the sum over the pixels above and left of (u, v).
+// Column (v * (width + 1) + u) is the sum over the pixels above and left of (u, v).
 Channels integral_image(const IndexImage& index, const Channels& values) {
   const Eigen::Index stride = index.width + 1;
   Channels integral = Channels::Zero(values.rows(), stride * (index.height + 1));

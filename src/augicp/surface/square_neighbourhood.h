@@ -5,18 +5,17 @@
 
 namespace augicp {
 
-// The integral-image window of the authors' software, for comparisons: all points in a square of pixels as wide as the
-// ball's disc has area, whatever their depth. It reaches across depth discontinuities, and on slanted surfaces it is no
-// ball.
+// The integral-image window of the authors' software, for comparison: all points in a square of pixels with the area of
+// the ball's disc, at any depth. It spans depth discontinuities, and on slanted surfaces it is no ball.
 class SquareNeighbourhood : public Neighbourhood {
  public:
-  // The index image must be the cloud's own. focal_length in pixels; of the options only the ball's size counts.
+  // REQUIRES: the index image is the cloud's own. focal_length in pixels. Only the ball's size of the options is used.
   SquareNeighbourhood(const Cloud& cloud, const IndexImage& index, const WindowOptions& options, double focal_length);
   Channels sum(const Channels& values, int num_threads) const override;
 
  private:
   IndexImage index_;
-  std::vector<std::int32_t> half_side_px_;  // one a point
+  std::vector<std::int32_t> half_side_px_;  // one per point
 };
 
 }  // namespace augicp

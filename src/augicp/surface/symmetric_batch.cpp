@@ -8,7 +8,7 @@
 namespace augicp {
 namespace {
 
-// Below this sum of eigenvalues there is no matrix to speak of.
+// A sum of eigenvalues below this counts as a zero matrix.
 constexpr float kTiny = 1e-30f;
 
 // cos(acos(r) / 3) and sin(acos(r) / 3) for r in [-1, 1]. acos: Abramowitz and Stegun 4.4.46, to 2e-8; the angle is at
@@ -39,8 +39,8 @@ inline float at_most(float bound, float x) { return x < bound ? x : bound; }
 
 }  // namespace
 
-// The trigonometric solution of the characteristic cubic, of the matrix divided by its trace: O. K. Smith, "Eigenvalues
-// of a symmetric 3 x 3 matrix", 1961.
+// The trigonometric solution of the characteristic cubic, for the matrix divided by its trace: O. K. Smith,
+// "Eigenvalues of a symmetric 3 x 3 matrix", 1961.
 AUGICP_VECTORIZED void eigenvalues(const SymmetricBatch& matrices, EigenvalueBatch& values) {
   const SymmetricBatch& m = matrices;
   for (int k = 0; k < kBatch; ++k) {
@@ -63,7 +63,7 @@ AUGICP_VECTORIZED void eigenvalues(const SymmetricBatch& matrices, EigenvalueBat
   }
 }
 
-// What is orthogonal to the rows of A - lambda I: the longest of their cross products.
+// A vector orthogonal to the rows of A - lambda I: the longest of their cross products.
 AUGICP_VECTORIZED void eigenvectors(const SymmetricBatch& matrices, const BatchArray& eigenvalue,
                                     VectorBatch& vectors) {
   const SymmetricBatch& m = matrices;
@@ -80,7 +80,7 @@ AUGICP_VECTORIZED void eigenvectors(const SymmetricBatch& matrices, const BatchA
     float x = x01, y = y01, z = z01, n = n01;
     x = n02 > n ? x02 : x, y = n02 > n ? y02 : y, z = n02 > n ? z02 : z, n = n02 > n ? n02 : n;
     x = n12 > n ? x12 : x, y = n12 > n ? y12 : y, z = n12 > n ? z12 : z, n = n12 > n ? n12 : n;
-    // Cross products shorter than their rounding errors say nothing.
+    // Cross products shorter than their rounding errors have no direction.
     const float inverse = n > 1e-13f ? 1.0f / std::sqrt(at_least(kTiny, n)) : 0.0f;
     vectors.x[k] = x * inverse;
     vectors.y[k] = y * inverse;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eigenvalues and eigenvectors of many symmetric 3 x 3 matrices at once, in closed form: what eigen_of_symmetric() does
-// for one, to float's accuracy. Elements lie in arrays, one entry a matrix, so that compilers make vectors of them.
+// Eigenvalues and eigenvectors of many symmetric 3 x 3 matrices at once, in closed form: eigen_of_symmetric() to the
+// accuracy of float. Elements are arrays with one entry per matrix, so that compilers vectorise.
 #pragma once
 
 namespace augicp {
@@ -13,14 +13,14 @@ struct SymmetricBatch {
   alignas(64) BatchArray xx, xy, xz, yy, yz, zz;
 };
 
-// l0 <= l1 <= l2, none negative, of positive semidefinite matrices; to some 1e-6 of their sum, and where two are closer
-// than 1e-3 of it to each other, to the 3e-4 of it that tell them apart.
+// l0 <= l1 <= l2, all at least 0, of positive semidefinite matrices. Accuracy: 1e-6 of their sum. If two are closer
+// than 1e-3 of the sum to each other: 3e-4 of the sum.
 struct EigenvalueBatch {
   alignas(64) BatchArray l0, l1, l2;
 };
 void eigenvalues(const SymmetricBatch& matrices, EigenvalueBatch& values);
 
-// Unit eigenvectors, of either sign, to given eigenvalues; zero where that eigenvalue has no single direction.
+// Unit eigenvectors of given eigenvalues, of either sign; zero if that eigenvalue has no single direction.
 struct VectorBatch {
   alignas(64) BatchArray x, y, z;
 };

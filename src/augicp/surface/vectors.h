@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Vectors for the few loops that compilers do not vectorize by themselves.
+// Vectors for the few loops that compilers do not vectorise.
 #pragma once
 
 #include "augicp/core/vectorized.h"
 
 namespace augicp {
 
-// So many bytes at a time; where a machine has no such vectors they make several of
-// them. Vectors are never passed by value.
+// Vectors of this many bytes. A machine without such vectors uses several smaller ones. Never pass them by value.
 template <typename Number, int kBytes>
 struct Vectors {
   using Vector [[gnu::vector_size(kBytes)]] = Number;
@@ -16,7 +15,7 @@ struct Vectors {
 template <typename Number>
 using Wide = Vectors<Number, 32>;
 
-// Of arrays that need no alignment. Not by memcpy(), which gcc does in two halves, and then waits for both to arrive.
+// Loads from unaligned arrays. Not by memcpy(): gcc copies two halves and then waits for both.
 template <typename Vector, typename Number>
 AUGICP_INLINE void load(const Number* from, Vector& vector) {
   using Unaligned [[gnu::vector_size(sizeof(Vector)), gnu::aligned(alignof(Number)), gnu::may_alias]] = Number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbourhoods on depth images: points reached from a pixel without crossing a depth discontinuity.
+// Neighbourhoods on depth images: points that are reached from a pixel without crossing a depth discontinuity.
 #pragma once
 
 #include <array>
@@ -12,28 +12,30 @@
 namespace augicp {
 
 struct WindowOptions {
-  double radius = 0.0;  // of the ball that the window stands for, metres, above 0
+  double radius = 0.0;  // radius of the ball that the window approximates, metres, above 0
 
-  // The ball grows with depth to at least this many times the point's depth, because a depth camera's noise does.
+  // The ball grows with depth, to at least this many times the point's depth, because the noise of a depth camera does.
   double radius_per_depth = 0.0;
 
-  // Two neighbouring readings farther apart along the optical axis than this many times their depth belong to different
-  // surfaces. 0.02 is above a Kinect's quantisation up to 7 m, and below the slope of a surface seen at 85 degrees.
+  // Two neighbouring readings belong to different surfaces if they differ along the optical axis by more than this many
+  // times their depth. 0.02 is above a Kinect's quantisation up to 7 m, and below the slope of a surface seen at 85
+  // degrees.
   double max_step_per_depth = 0.02;
 };
 
-// How far the neighbourhood of a pixel reaches in its own row and column, in pixels: first left, right, up, down.
+// The reach of a pixel's neighbourhood in its own row and column, in pixels: first left, right, up, down.
 struct Arms {
   std::int16_t left = 0, right = 0, up = 0, down = 0;
 };
 
-// Fast: a window of 3D size, not of pixels. From every pixel two arms reach along its column, from each pixel on them
-// two along its row, as far as the ball's size goes on that surface and never across a discontinuity. Sums over such
-// regions need two passes of prefix sums, whatever their size ("cross-based" regions of stereo matching: Zhang, Lu,
-// Lafruit 2009). The half side of the window makes its area the ball's disc.
+// Fast: a window of 3D size. From every pixel two arms reach along its column, and from each pixel on them two along
+// its row, as far as the ball's size on that surface, and never across a discontinuity. Sums over such regions take two
+// passes of prefix sums, for any size ("cross-based" regions of stereo matching: Zhang, Lu, Lafruit 2009). The half
+// side of the window makes its area that of the ball's disc.
 class WindowNeighbourhood : public Neighbourhood {
  public:
-  // The index image must be the cloud's own: each point in its pixel, raster order. Both are only read here.
+  // REQUIRES: the index image is the cloud's own, each point in its pixel, in raster order. Both are read only in the
+  // constructor.
   WindowNeighbourhood(const Cloud& cloud, const IndexImage& index, const WindowOptions& options, int num_threads);
   Channels sum(const Channels& values, int num_threads) const override;
 
@@ -41,10 +43,10 @@ class WindowNeighbourhood : public Neighbourhood {
 
  private:
   IndexImage index_;
-  std::vector<Arms> arms_;  // one a point
+  std::vector<Arms> arms_;  // one per point
 };
 
-// Exact and slow, for tests and comparisons: every point of the ball whose column-then-row path from the centre crosses
+// Exact and slow, for tests and comparison: every point of the ball whose column-then-row path from the centre crosses
 // no discontinuity.
 class ExactWindowNeighbourhood : public Neighbourhood {
  public:

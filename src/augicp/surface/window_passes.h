@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sums over the windows of a depth image by prefix sums along rows and then along columns, as in WindowNeighbourhood,
-// but strip by strip of columns, so that all that is summed stays in the cache, and with a number of channels that the
-// compiler knows. Channels of a pixel lie side by side: both ends of a span are then each one read.
+// Sums over the windows of a depth image, by prefix sums along rows and then along columns, as in WindowNeighbourhood.
+// Two differences make them fast: they run over strips of columns, so that all sums stay in the cache, and the number
+// of channels is known at compile time. The channels of a pixel are contiguous, so each end of a span is one read.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace augicp {
 
-// Brings count pixels from (u, v) on to the cache, of a row some rows farther down an image: a strip's rows lie farther
-// apart in an image than processors look ahead by themselves.
+// Prefetches count pixels from (u, v) on, of a row further down the image: the rows of a strip are farther apart than
+// processors prefetch by themselves.
 template <typename Pixel>
 void fetch_rows_ahead(const Pixel* image, std::size_t width, std::size_t height, std::size_t v, std::size_t u,
                       int count) {
@@ -23,8 +23,8 @@ void fetch_rows_ahead(const Pixel* image, std::size_t width, std::size_t height,
   if (v + kRowsAhead < height) prefetch(image + (v + kRowsAhead) * width + u, static_cast<std::size_t>(count));
 }
 
-// Prefix sums down a strip of kBatch columns: row v has what lies in the spans of its pixels' rows above v. Sums along
-// a row are taken as far to both sides of the strip as these spans reach.
+// Prefix sums down a strip of kBatch columns: row v has the sum over the spans of its pixels in the rows above v. Sums
+// along a row cover both sides of the strip as far as these spans reach.
 template <typename Moments>
 class StripSums {
  public:
@@ -40,8 +40,8 @@ class StripSums {
     std::fill_n(sums_.get(), kStride, Number{0});
   }
 
-  // Of count columns from u on; of the others only row 0 is set, which is what empty spans read. accumulate_row(v,
-  // part, prefix) calls accumulate() for a part of row v.
+  // For count columns from u on. For the others only row 0 is set, which empty spans read. accumulate_row(v, part,
+  // prefix) calls accumulate() for a part of row v.
   template <typename AccumulateRow>
   void add_up(std::size_t u, int count, const AccumulateRow& accumulate_row) {
     for (std::size_t v = 0; v < to_size(spans_.height); ++v) {
@@ -61,8 +61,9 @@ class StripSums {
   std::unique_ptr<Number[]> along_row_, sums_;
 };
 
-// Calls use(v, u, count, windows) for pixels u to u + count - 1 of every row v, with what lies in their windows;
-// concurrently for different columns. Entries from count on are zero. wanted(v, u) may say that nobody asks for these.
+// Calls use(v, u, count, windows) for pixels u to u + count - 1 of every row v, with the sums over their windows.
+// Thread safety: calls for different columns run concurrently. Entries from count on are zero. wanted(v, u) returns
+// false to skip these pixels.
 template <typename Moments, typename AccumulateRow, typename Wanted, typename Use>
 void for_each_window(const WindowSpans& spans, int num_threads, const AccumulateRow& accumulate_row,
                      const Wanted& wanted, const Use& use) {
@@ -75,7 +76,7 @@ void for_each_window(const WindowSpans& spans, int num_threads, const Accumulate
     StripSums<Moments> sums(spans);
     sums.add_up(begin, count, accumulate_row);
     WindowBatch windows;
-    Span padded[kBatch] = {};  // those beyond the image are empty
+    Span padded[kBatch] = {};  // spans beyond the image are empty
     for (std::size_t v = first_wanted; v < height; ++v) {
       fetch_rows_ahead(spans.in_column.data(), width, height, v, begin, count);
       if (!wanted(v, begin)) continue;

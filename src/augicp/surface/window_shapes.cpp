@@ -8,7 +8,7 @@
 namespace augicp {
 namespace {
 
-// Of products of numbers of about 1.
+// Rounding of products of numbers near 1.
 constexpr float kRounding = 1e-6f;
 
 constexpr auto kNone = static_cast<std::int32_t>(Structure::None),
@@ -60,7 +60,7 @@ AUGICP_VECTORIZED void write_shapes(const StructureBatch& structures, const Vect
   StructureBatch found;
   for (int k = 0; k < kBatch; ++k) {
     const float x = directions.x[k], y = directions.y[k], z = directions.z[k];
-    const bool is_unit = x * x + y * y + z * z > 0.5f;  // else zero, or not a number where sums overflowed
+    const bool is_unit = x * x + y * y + z * z > 0.5f;  // else zero, or NaN after an overflow of sums
     found[k] = is_unit ? structures[k] : kNone;
     kept.x[k] = found[k] == kNone ? 0.0f : x;
     kept.y[k] = found[k] == kNone ? 0.0f : y;
@@ -71,8 +71,8 @@ AUGICP_VECTORIZED void write_shapes(const StructureBatch& structures, const Vect
   for (int k = 0; k < count; ++k) structures_of_pixels[k] = static_cast<Structure>(found[k]);
 }
 
-// Of eigenvalues that sum to t, l1 (t - l1) <= l1 (l0 + l2) + l0 l2, which is half of t^2 less the sum of their
-// squares; and the left side grows with l1, which is at most t / 2. t is 1 but for the rounding of prefix sums.
+// For eigenvalues with the sum t: l1 (t - l1) <= l1 (l0 + l2) + l0 l2, which is half of t^2 minus the sum of their
+// squares. The left side grows with l1, which is at most t / 2. t is 1 up to the rounding of prefix sums.
 AUGICP_VECTORIZED bool may_spread(const WindowBatch& normals, const ShapeThresholds& thresholds) {
   const auto least = static_cast<float>(std::min(thresholds.min_crease, thresholds.clear_crease));
   const SymmetricBatch& m = normals.matrix;

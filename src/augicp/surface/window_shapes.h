@@ -9,25 +9,25 @@
 
 namespace augicp {
 
-// Structures as numbers of the size of a float, which compilers choose between side by side with floats.
+// Structures as numbers of the size of a float, so that compilers vectorise choices between them.
 using StructureBatch = std::int32_t[kBatch];
 
-// What the points in each window look like by their eigenvalues, and whether any are edges. A line may still be one
+// The structure of the points in each window by their eigenvalues, and whether any is an edge. A line may still be one
 // along the line of sight.
 bool structures_of_points(const WindowBatch& windows, const EigenvalueBatch& values, const SurfaceOptions& options,
                           StructureBatch& structures);
 
-// Writes count pixels. None where the direction is zero; normals weigh 1, tangents 0.
+// Writes count pixels. The structure is None if the direction is zero. Normals have weight 1, tangents 0.
 void write_shapes(const StructureBatch& structures, const VectorBatch& directions, int count, Direction* shapes,
                   Structure* structures_of_pixels);
 
-// Whether normals spread in any of the windows at least as much as a crease asks for; may say so where they do not. Of
+// Whether the normals in any of the windows spread at least as much as in a crease; may return true if none does. Takes
 // mean outer products.
 bool may_spread(const WindowBatch& normals, const ShapeThresholds& thresholds);
 
-// The second step for count pixels, of which all have their structure from the first: writes the tangent where there
-// may be a crease, with the spread across it for a weight, else zero; takes the structure from corners. Whether there
-// may be any crease in the middle or at the side of one.
+// The second step for count pixels, all with their structure from the first step. Writes the tangent, weighted by the
+// spread across it, if there may be a crease, else zero. Removes the structure of corners. Returns whether there may be
+// a crease.
 bool write_spreads(const WindowBatch& normals, const EigenvalueBatch& values, const VectorBatch& tangents,
                    const ShapeThresholds& thresholds, int count, Direction* spreads, Structure* structures);
 

@@ -13,27 +13,27 @@
 namespace augicp {
 namespace {
 
-// Columns that share their cache lines are done together.
+// Columns in the same cache lines are processed together.
 constexpr std::size_t kLinesPerBlock = 16;
 
-// The largest float whose comparison with a squared distance says the same as that of the double.
+// The largest float that compares with squared distances like the double.
 float rounded_down(double value) {
   const auto rounded = static_cast<float>(value);
   return static_cast<double>(rounded) <= value ? rounded : std::nextafter(rounded, 0.0f);
 }
 
-// The pixels of one line that hold a point, in order; used again for each line.
+// The pixels of one line that have a point, in order; reused for each line.
 struct LinePoints {
   explicit LinePoints(int length)
       : position(length), x(length), y(length), z(length), limit_sq(length), first(length), last(length) {}
   int count = 0;
   std::vector<std::int32_t> position;  // pixel along the line
   std::vector<float> x, y, z;
-  std::vector<float> limit_sq;  // of the arms' length
+  std::vector<float> limit_sq;  // squared length limit of the arms
   std::vector<std::int32_t> first, last;
 };
 
-// Whether an entry's arms may reach another. Additions in the order of Eigen's squaredNorm().
+// Whether an entry's arms may reach another. Adds in the order of Eigen's squaredNorm().
 class Ball {
  public:
   Ball(const LinePoints& line, std::int32_t centre)
@@ -81,8 +81,8 @@ void limit_arms(const WindowOptions& options, LinePoints& line) {
   }
 }
 
-// Entries [begin, end) are a run without a discontinuity. See reach_along(): each search starts where the neighbour's
-// ended. Where it had to come inwards, what lies farther out was just refused.
+// Entries [begin, end) are a run without a discontinuity. See reach_along(): each search starts at the end of the
+// neighbour's. If it had to move inwards, the entries farther out were just rejected.
 void reach_in_run(LinePoints& line, std::int32_t begin, std::int32_t end) {
   std::int32_t reach = begin;
   for (std::int32_t i = begin; i < end; ++i) {

@@ -16,16 +16,16 @@ struct Span {
   bool operator==(const Span&) const = default;
 };
 
-// The arms of WindowNeighbourhood, one entry a pixel, row-major: how far a pixel's window reaches in its own row and
-// column. Empty where no point is seen. In memory that is somebody else's.
+// The arms of WindowNeighbourhood, one entry per pixel, row-major: the reach of a pixel's window in its own row and
+// column. Empty if no point is seen. Does not own its memory.
 struct WindowSpans {
   int width = 0;
   int height = 0;
   std::span<Span> in_row, in_column;
 };
 
-// Fills spans of the image's size. As WindowNeighbourhood, which tests compare it with. Throws std::invalid_argument
-// where an option is out of bounds or a side of the image is longer than 65535 pixels.
+// Fills spans of the image's size, as WindowNeighbourhood does; tests compare both. Throws std::invalid_argument if an
+// option is out of its range, or a side of the image is longer than 65535 pixels.
 void find_window_spans(const Cloud& cloud, const IndexImage& index, const WindowOptions& options, int num_threads,
                        const WindowSpans& spans);
 

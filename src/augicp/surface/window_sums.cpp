@@ -7,8 +7,7 @@
 namespace augicp {
 namespace {
 
-// The channels of a pixel: wide vectors, and one of half the size for what is left (none of 8 floats, two of 10
-// doubles).
+// The channels of a pixel: wide vectors, and one of half the size for the rest (none for 8 floats, two of 10 doubles).
 template <typename Number, int kChannels>
 struct Pixel {
   static constexpr int kLanes = Wide<Number>::kLanes, kNumWide = kChannels / kLanes, kRest = kChannels % kLanes;
@@ -34,7 +33,7 @@ struct Pixel {
   }
 };
 
-// Writes the sum of what was added so far for each pixel.
+// Writes the running sum for each pixel.
 template <typename Number, int kChannels>
 class PrefixSum {
  public:
@@ -47,7 +46,7 @@ class PrefixSum {
   Number* next_;
 };
 
-// The channels of a point and of a direction, by products of what lies in the same place of two vectors.
+// The channels of a point and of a direction, as element-wise products of two vectors.
 AUGICP_INLINE void multiply_out(const Vec3f& p, Pixel<double, 10>& value) {
   const Vectors<float, 16>::Vector one_xyz = {1.0f, p.x(), p.y(), p.z()};
   const Wide<double>::Vector a = __builtin_convertvector(one_xyz, Wide<double>::Vector);
@@ -78,8 +77,7 @@ AUGICP_INLINE void add_row_to(const Number* prefix, const Span* spans, int count
   }
 }
 
-// Rows become columns: the first vector gets what comes first in each.
-// In three steps: columns of two rows, of four, of all.
+// Transposes rows to columns in three steps: columns of two rows, of four, of all.
 AUGICP_INLINE void transpose(Wide<float>::Vector (&rows)[8]) {
   Wide<float>::Vector two[8], four[8];
   for (int k = 0; k < 8; k += 2) {
@@ -97,7 +95,7 @@ AUGICP_INLINE void transpose(Wide<float>::Vector (&rows)[8]) {
   }
 }
 
-// Of points: xx, xy, xz, yy, yz, zz of their covariance, their number, 0.
+// Points: xx, xy, xz, yy, yz, zz of their covariance, their number, 0.
 AUGICP_INLINE void summarize(const Pixel<double, 10>& sums, Wide<float>::Vector& window) {
   const Wide<double>::Vector& first = sums.wide[0];
   const double count = first[0], inverse = 1.0 / (count > 1.0 ? count : 1.0);
@@ -112,7 +110,7 @@ AUGICP_INLINE void summarize(const Pixel<double, 10>& sums, Wide<float>::Vector&
   const Half high = __builtin_convertvector(__builtin_shufflevector(yz_zz, count_0, 0, 1, 2, 3), Half);
   window = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
-// Of directions: the sums of the same, and their weight.
+// Directions: the same sums, and their weight.
 AUGICP_INLINE void summarize(const Pixel<float, 8>& sums, Wide<float>::Vector& window) {
   window = __builtin_shufflevector(sums.wide[0], sums.wide[0], 1, 2, 3, 4, 5, 6, 0, 7);
 }
@@ -164,7 +162,7 @@ AUGICP_VECTORIZED void accumulate(const Direction* directions, int count, float 
 }
 
 AUGICP_VECTORIZED Span around(const Span* spans, int count) {
-  constexpr std::uint16_t kNowhere = 0xffff;  // as an empty span's begin
+  constexpr std::uint16_t kNowhere = 0xffff;  // the begin of an empty span
   std::uint16_t begin = kNowhere, end = 0;
   for (int k = 0; k < count; ++k) {
     const std::uint16_t first = spans[k].end == 0 ? kNowhere : spans[k].begin;

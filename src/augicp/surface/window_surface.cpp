@@ -15,9 +15,8 @@
 namespace augicp {
 namespace {
 
-// What is known of each pixel, in one piece of memory: freed, a piece is kept by glibc for the next image where all
-// that was freed with it is not larger. In several pieces it would go back to the system, which clears it anew: a third
-// of the time that an image takes.
+// All per-pixel data in one allocation. When freed, glibc keeps it for the next image. Several allocations would go
+// back to the system, which clears new pages: a third of the time of an image.
 class PixelMemory {
  public:
   explicit PixelMemory(const IndexImage& image)
@@ -74,10 +73,10 @@ class WindowSurface {
   std::size_t width_, height_;
   PixelMemory pixels_;
   WindowSpans spans_;
-  Direction* directions_;  // weight 1 for normals, which alone are summed, else 0
-  Direction* spreads_;     // NormalSpread's tangent with its across for a weight, 0 in corners
+  Direction* directions_;  // weight 1 for normals (only these are summed), else 0
+  Direction* spreads_;     // NormalSpread's tangent, weighted by its across; 0 in corners
   Structure* structures_;
-  std::vector<std::uint8_t> may_be_creases_;  // whether any of a batch's spreads is wide enough
+  std::vector<std::uint8_t> may_be_creases_;  // whether any spread of a batch is wide enough
 };
 
 bool WindowSurface::is_along_sight(std::size_t pixel, const Vec3f& line) const {
@@ -87,7 +86,7 @@ bool WindowSurface::is_along_sight(std::size_t pixel, const Vec3f& line) const {
   return is_along(line.cast<double>(), sight, options_.thresholds);
 }
 
-// Edges get their direction, but for lines along the line of sight, which are what else their windows show.
+// Gives edges their direction, except lines along the line of sight, which become planar or lose their structure.
 void WindowSurface::choose_lines(std::size_t first_pixel, int count, const WindowBatch& windows,
                                  const EigenvalueBatch& values, StructureBatch& structures,
                                  VectorBatch& directions) const {
@@ -160,7 +159,7 @@ void WindowSurface::creases_of(std::size_t v, std::size_t u, int count, const Wi
   }
 }
 
-// Only normals count, and of tangents only those of clear creases, the middle of one more than its sides: see
+// Only normals count; of tangents only those of clear creases, with larger weights in the middle than at the sides: see
 // estimate_surface.cpp.
 void WindowSurface::find_creases() {
   may_be_creases_.resize((width_ + kBatch - 1) / kBatch * height_);
@@ -179,7 +178,7 @@ void WindowSurface::find_creases() {
 }
 
 void WindowSurface::store(Cloud& cloud) const {
-  cloud.directions.assign(cloud.size(), Vec3f::Zero());  // so they stay where a point has no pixel or no structure
+  cloud.directions.assign(cloud.size(), Vec3f::Zero());  // for points without a pixel or a structure
   cloud.structures.assign(cloud.size(), Structure::None);
   const auto store_pixels = [&](std::size_t begin, std::size_t end) {
     for (std::size_t pixel = begin; pixel < end; ++pixel) {

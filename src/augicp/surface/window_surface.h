@@ -7,9 +7,9 @@
 
 namespace augicp {
 
-// What estimate_surface() does with a WindowNeighbourhood, many times faster: the same windows, the same three steps
-// and thresholds, in another order of memory and with eigenvectors in closed form. Rounding may decide otherwise on a
-// threshold. The index image must be the cloud's own: each point in its pixel. Same bits for any number of threads.
+// estimate_surface() with a WindowNeighbourhood, many times faster: the same windows, steps and thresholds, in another
+// order of memory and with eigenvectors in closed form. Rounding may decide differently at a threshold. Bit-identical
+// for any number of threads. REQUIRES: the index image is the cloud's own, each point in its pixel.
 void estimate_surface(Cloud& cloud, const IndexImage& index, const WindowOptions& window, const SurfaceOptions& options,
                       int num_threads);
 

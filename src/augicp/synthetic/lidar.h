@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a spinning LiDAR measures of a generated world, with the exact truth beside it.
+// Generated measurements of a spinning LiDAR, with the exact truth.
 #pragma once
 
 #include <functional>
@@ -36,7 +36,7 @@ inline Motion standing_at(const Rigid3& pose) {
 // Even motion: the pose at time zero, times the motion of one second scaled by the time.
 Motion moving_evenly(const Rigid3& world_from_body_at_zero, const Rigid3& motion_of_one_second);
 
-// A rigid thing that moves through the scene.
+// A rigid object that moves through the scene.
 struct MovingObject {
   testing::Scene scene;  // in the object's own frame
   Motion world_from_object;
@@ -47,25 +47,25 @@ struct World {
   std::vector<MovingObject> moving;
 };
 
-// One revolution. Arrays have one entry a point, in order of time, then of ring.
+// One revolution. Arrays have one entry per point, in order of time, then of ring.
 struct Sweep {
   static constexpr int kMoving = -1;
 
   Cloud cloud;                  // metres, each point in the sensor's frame at its own time; the viewpoint is zero
-  std::vector<double> times_s;  // from the begin of the sweep
+  std::vector<double> times_s;  // from the start of the sweep
   std::vector<int> rings;
   std::vector<int> surfaces;  // number in the world's scene; kMoving on a moving object
 };
 
-// world_from_sensor is asked for times in [begin_s, begin_s + sweep_s), and so are the moving objects' poses. The noise
-// is drawn from the seed. Rays that meet nothing within the range leave no point.
+// Scans a world during one revolution. world_from_sensor and the poses of moving objects are evaluated at times in
+// [begin_s, begin_s + sweep_s). The noise is drawn from the seed. Rays without a surface in range give no point.
 Sweep scan(const World& world, const Lidar& lidar, const Motion& world_from_sensor, unsigned seed,
            double begin_s = 0.0);
 
-// The same of a sensor that stands still in a world where nothing moves: the cloud alone.
+// The same for a sensor at rest in a world without moving objects: the cloud alone.
 Cloud scan(const testing::Scene& scene, const Lidar& lidar, const Rigid3& world_from_sensor, unsigned seed);
 
-// The points of a sweep in the sensor's frame at one time, by the true motion, seconds from the sweep's begin.
+// The points of a sweep in the sensor's frame at one time (seconds from the start of the sweep), by the true motion.
 Cloud straightened(const Sweep& sweep, const Motion& world_from_sensor, double begin_s, double frame_time_s);
 
 }  // namespace augicp::synthetic

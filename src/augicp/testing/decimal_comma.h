@@ -6,8 +6,8 @@
 
 namespace augicp::testing {
 
-// While it lives the process has a locale that writes 1,5 for 1.5, for C's functions and for streams made meanwhile.
-// Throws std::runtime_error where C has no such locale; ctest names the folder of one that the build made.
+// During its lifetime the process has a locale that writes 1,5 for 1.5, for C functions and for streams made meanwhile.
+// Throws std::runtime_error if C has no such locale; ctest names the folder of one that the build made.
 class DecimalComma {
  public:
   DecimalComma();
@@ -15,7 +15,7 @@ class DecimalComma {
   DecimalComma(const DecimalComma&) = delete;
   DecimalComma& operator=(const DecimalComma&) = delete;
 
-  // Whether this process can have one. Tests that need it are skipped without.
+  // Whether this process can have one. Without it, tests that need it are skipped.
   static bool exists();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the true edges of a rendered scene are, and where depth merely jumps.
+// The true edges of a rendered scene, and its jumps in depth.
 #pragma once
 
 #include <limits>
@@ -9,12 +9,12 @@
 
 namespace augicp::testing {
 
-// The pieces of the scene's creases that the camera can tell: both surfaces are seen within radius (metres) of every
-// point of a piece. A contour behind which a face is hidden is no crease. In the camera frame.
+// The parts of the scene's creases that the camera can see: both surfaces are seen within radius (metres) of every
+// point of a part. A contour in front of a hidden face is no crease. In the camera frame.
 std::vector<Crease> visible_creases(const Scene& scene, const Rendering& seen, double radius);
 
 struct NearestCrease {
-  double distance = std::numeric_limits<double>::infinity();  // metres; infinite where there is no crease
+  double distance = std::numeric_limits<double>::infinity();  // metres; infinite if there is no crease
   Vec3d tangent = Vec3d::Zero();
 };
 NearestCrease nearest_crease(const std::vector<Crease>& creases, const Vec3d& point);

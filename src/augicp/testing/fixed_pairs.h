@@ -7,7 +7,7 @@
 
 namespace augicp::testing {
 
-// The same pairs under every pose and gate. The target must outlive it.
+// Gives the same pairs under every pose and gate. REQUIRES: the target outlives it.
 class FixedPairs final : public Matcher {
  public:
   FixedPairs(const Cloud& target, std::vector<Correspondence> pairs) : target_(target), pairs_(std::move(pairs)) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Derivatives by central differences, to check the analytic ones against.
+// Derivatives by central differences, as a reference for the analytic ones.
 #pragma once
 
 #include "augicp/geometry/rigid3.h"
@@ -20,7 +20,7 @@ Eigen::Matrix<double, Rows, 6> numeric_jacobian(const Function& function, const 
   return jacobian;
 }
 
-// The same of a function from poses to one number.
+// The same for a function from poses to one number.
 template <typename Function>
 Vec6d numeric_gradient(const Function& function, const Rigid3& pose, double step = 1e-5) {
   const auto as_vector = [&](const Rigid3& moved) { return Eigen::Matrix<double, 1, 1>(function(moved)); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a depth camera sees of a generated scene, and how a real one would spoil it.
+// The view of a depth camera on a generated scene, and its noise.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace augicp::testing {
 
-// An exact depth image and the truth behind each of its pixels, row-major as the depth is.
+// An exact depth image and the truth of each of its pixels, row-major like the depth.
 struct Rendering {
   static constexpr int kNothing = -1;
 
   Pinhole camera;
   Rigid3 world_from_camera;
-  DepthImage depth;           // NaN where the ray meets nothing
-  std::vector<int> surface;   // number of the surface in the scene, kNothing where the ray meets nothing
-  std::vector<Vec3f> normal;  // unit, camera frame, towards the camera; zero where the ray meets nothing
+  DepthImage depth;           // NaN if the ray meets nothing
+  std::vector<int> surface;   // number of the surface in the scene; kNothing if the ray meets nothing
+  std::vector<Vec3f> normal;  // unit, camera frame, towards the camera; zero if the ray meets nothing
 };
 
 Rendering render(const Scene& scene, const Pinhole& camera, int width, int height, const Rigid3& world_from_camera);
 
-// From the scene's own place, at the camera's own size.
+// From the scene's own place, at the size of the camera.
 Rendering render(const Scene& scene, const Pinhole& camera);
 
 // A depth camera with the field of view of a Kinect (58 x 45 degrees) and images of this width, at 4:3.

@@ -6,7 +6,7 @@
 
 namespace augicp::testing {
 
-// What a Kinect-like camera, noise included, sees of a scene from a place.
+// The view of a Kinect-like camera on a scene from a place, noise included.
 Scan noisy_view(const Scene& scene, const Rigid3& world_from_camera, unsigned seed, int width = 160);
 
 struct ScanPair {
@@ -14,7 +14,7 @@ struct ScanPair {
   Rigid3 target_from_source;
 };
 
-// A generated room seen from its own place and from one that a motion leads to.
+// A generated room seen from its own place, and from the place after a motion.
 ScanPair room_pair(const Rigid3& target_from_source);
 
 }  // namespace augicp::testing

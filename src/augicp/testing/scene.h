@@ -9,7 +9,7 @@
 
 namespace augicp::testing {
 
-// A segment along which two surfaces meet, or the axis of a wire, where both numbers are the wire's. Metres.
+// A segment along which two surfaces meet, or the axis of a wire; both numbers are then the wire's. Metres.
 struct Crease {
   Vec3d begin;
   Vec3d end;
@@ -19,14 +19,14 @@ struct Crease {
   Vec3d tangent() const { return (end - begin).normalized(); }
 };
 
-// World frame: z up. Surfaces are numbered by their place in `surfaces`.
+// World frame: z up. The number of a surface is its index in `surfaces`.
 struct Scene {
   std::vector<Surface> surfaces;
   std::vector<Crease> creases;
   Rigid3 world_from_camera;  // a sensible place for a camera
 };
 
-// The pose of a camera at eye that looks at point, its image upright. The line of sight may not be vertical.
+// The pose of a camera at eye that looks at point, with an upright image. REQUIRES: the line of sight is not vertical.
 Rigid3 look_at(const Vec3d& eye, const Vec3d& point);
 
 int add_surface(Scene& scene, const Surface& surface);
@@ -37,14 +37,14 @@ struct BoxFaces {
 };
 BoxFaces add_box(Scene& scene, const Rigid3& world_from_box, const Vec3d& size);
 
-// A box turned by yaw_rad about the vertical that stands on a horizontal surface at base, the centre of its foot. It
-// has no bottom of its own: its four bottom creases are those with the surface below.
+// A box on a horizontal surface, rotated by yaw_rad about the vertical; base is the centre of its foot. It has no
+// bottom: its four bottom creases are those with the surface below.
 BoxFaces add_standing_box(Scene& scene, const Vec3d& base, double yaw_rad, const Vec3d& size, int ground);
 
 // A thin cylinder; its axis counts as a crease.
 int add_wire(Scene& scene, const Vec3d& begin, const Vec3d& end, double radius);
 
-// A cylinder between two surfaces orthogonal to it; the circles where it meets them are creases, in short chords.
+// A cylinder between two surfaces orthogonal to it. The circles where it meets them are creases, in short chords.
 int add_column(Scene& scene, const Cylinder& cylinder, int surface_at_begin, int surface_at_end);
 
 }  // namespace augicp::testing

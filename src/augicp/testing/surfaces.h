@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surfaces that generated scenes are made of, each with exact ray casting. World frame, metres.
+// The surfaces of generated scenes, each with exact ray casting. World frame, metres.
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@
 
 namespace augicp::testing {
 
-// A new folder that goes with all it holds when this does.
+// A new folder, removed with its content by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder();

@@ -9,10 +9,10 @@ namespace augicp {
 namespace {
 
 constexpr int kNumPlanes = 3;
-constexpr std::size_t kNumTried = 32;  // through so many points, for each of the three
-constexpr int kNumFits = 3;            // a normal of one point is a few degrees off, which is much across a room
+constexpr std::size_t kNumTried = 32;  // number of points for candidate planes, for each of the three
+constexpr int kNumFits = 3;            // the normal of one point is a few degrees off, which is far off across a room
 
-// Of a cloud's point; per_depth counts from where it was seen.
+// The tolerance at a cloud's point; per_depth is relative to the viewpoint.
 double allowed(const Cloud& cloud, std::uint32_t point, const AgreementTolerance& tolerance) {
   if (!(tolerance.per_depth > 0.0)) return tolerance.distance;
   const Vec3f seen_from = cloud.viewpoint.value_or(Vec3f::Zero());
@@ -23,7 +23,7 @@ struct Plane {
   Vec3d normal, point;
 };
 
-// Points of a cloud as they are asked many times over.
+// The data of a point, copied for repeated reading.
 struct Candidate {
   Vec3d place;
   double allowed;
@@ -40,7 +40,7 @@ std::size_t num_on(const Plane& plane, std::span<const Candidate> candidates) {
   return count;
 }
 
-// Through the mean of those on a plane, along their two widest directions.
+// The plane through the mean of the points on a plane, along their two widest directions.
 Plane fitted(const Plane& plane, std::span<const Candidate> candidates) {
   Vec3d mean = Vec3d::Zero();
   std::vector<Vec3d> on;
@@ -53,7 +53,7 @@ Plane fitted(const Plane& plane, std::span<const Candidate> candidates) {
   return {Eigen::SelfAdjointEigenSolver<Mat3d>(scatter).eigenvectors().col(0), mean};
 }
 
-// Where no point is planar, the plane has no normal.
+// Without a planar point, the plane has no normal.
 Plane best_plane(const Cloud& cloud, std::span<const Candidate> candidates) {
   Plane best{Vec3d::Zero(), Vec3d::Zero()};
   std::size_t num_on_best = 0;

@@ -16,11 +16,11 @@
 namespace augicp {
 namespace {
 
-// Cells are told apart by a hash: two that fall together are taken as one, which adds nothing on average.
+// Cells are identified by a hash. Two cells with the same hash count as one, which adds nothing on average.
 constexpr std::size_t kNumBuckets = 4096;
 
 std::size_t bucket_of(const Vec3f& point, float cells_per_metre) {
-  constexpr float kFarthest = 2e9f;  // that an integer holds
+  constexpr float kFarthest = 2e9f;  // fits into an integer
   const auto cell = [&](int axis) {
     const float place = std::floor(point[axis] * cells_per_metre);
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(place, -kFarthest, kFarthest)));
@@ -30,7 +30,7 @@ std::size_t bucket_of(const Vec3f& point, float cells_per_metre) {
   return (hash * 2654435761u >> 16) % kNumBuckets;
 }
 
-// The pairs, those of a bucket side by side, and where each bucket begins.
+// The pairs ordered by bucket, and the begin of each bucket.
 struct Buckets {
   std::vector<Correspondence> pairs;
   std::array<std::size_t, kNumBuckets + 1> begin{};
@@ -50,14 +50,14 @@ Buckets in_buckets(const Cloud& target, std::span<const Correspondence> pairs, d
   return sorted;
 }
 
-// So many source points tell the curvature to a few hundredths.
+// This many source points give the curvature to a few hundredths.
 constexpr std::size_t kNumAsked = 4096;
 
-// Small against the ball from which a point's direction comes, large against the leaps of single pairs.
+// Small against the ball of a point's direction, large against the jumps of single pairs.
 constexpr double kStepPerLength = 0.05;
 
-// How the gradient changes with the pose, by central differences of a step along each direction: with the pairs each
-// pose finds. The directions turn about the middle of the pairs: a turn about a zero far off would move all points far.
+// The change of the gradient with the pose, by central differences along each direction, with the pairs of each pose.
+// Rotations are about the centroid of the pairs: about a distant zero they would move all points far.
 Mat6d curvature(const Matcher& matcher, const Solution& solution, const Mat6d& directions, double step,
                 int num_threads) {
   const Cloud& source = solution.posed.source;
@@ -81,8 +81,7 @@ Mat6d curvature(const Matcher& matcher, const Solution& solution, const Mat6d& d
   return back.transpose() * along * back;
 }
 
-// The sum over cells of g g^T, as if no degree of freedom were lost to the pose. Absent where cells are too few for
-// that.
+// The sum over cells of g g^T, before the correction for the six fitted numbers. Empty if there are too few cells.
 std::optional<Mat6d> spread_of_gradients(const Solution& solution, double cell_size, int num_threads) {
   const PosedPairs& posed = solution.posed;
   const Buckets buckets = in_buckets(posed.target, posed.pairs, cell_size);

@@ -9,16 +9,16 @@
 namespace augicp {
 namespace {
 
-// A free direction is a pure translation where less than this part of it turns, in the metric of observability.h. Noise
-// gives a translation a hundredth of a turn; a turn about an axis three gyration radii away has this part.
+// A free direction is a pure translation if its rotational share is below this, in the metric of observability.h. Noise
+// gives a translation a share of a hundredth; a rotation about an axis three gyration radii away has this share.
 constexpr double kMaxTurnOfTranslation = 0.3;
 
-// A turn whose pitch is below this many gyration radii a radian is taken as a plain one.
+// A rotation with a pitch below this many gyration radii per radian counts as a pure rotation.
 constexpr double kMaxPitchOfRotation = 0.1;
 
 using Subspace = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-// About the centroid, turns times the radius of gyration: orthonormal columns again.
+// About the centroid, rotations times the radius of gyration: columns are orthonormal again.
 Subspace scaled(const Observability& observability, int num_free) {
   Subspace free = observability.directions.leftCols(num_free);
   for (int k = 0; k < num_free; ++k) {
@@ -53,8 +53,8 @@ std::string_view name_of(FreeMotion::Kind kind) {
 
 std::vector<FreeMotion> free_motions(const Observability& observability, int num_free) {
   if (num_free <= 0 || !(observability.gyration > 0.0)) return {};
-  // Any turn of the basis within the free directions spans the same. This one has as much turning in as few of them as
-  // can be, which leaves the rest pure translations.
+  // Any rotation of the basis within the free directions spans the same space. This one puts all rotation into as few
+  // directions as possible, so that the others are pure translations.
   const Subspace free = scaled(observability, num_free);
   const Eigen::MatrixXd turns = free.bottomRows<3>();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(turns, Eigen::ComputeFullV);

@@ -11,8 +11,8 @@
 namespace augicp {
 namespace {
 
-// Directions are left out: what they hold the positions of an extended surface hold too, and with a long lever they
-// would make every translation look weak.
+// Directions are left out. On an extended surface the positions constrain the same motions, and with a long lever
+// directions would make every translation look weak.
 InformationModel without_softening(const InformationModel& softened) {
   InformationModel model = positions_only(softened);
   for (StructureInformation* row : {&model.none, &model.planar, &model.edge}) {
@@ -23,7 +23,7 @@ InformationModel without_softening(const InformationModel& softened) {
   return model;
 }
 
-// What counts less than a plane is there to keep a step solvable too.
+// Information weaker than a plane's only keeps a step solvable.
 InformationModel planes_alone(InformationModel model) {
   const double of_plane = model.planar.position.along;
   if (of_plane > model.none.position.along) model.none.position = {};
@@ -31,7 +31,7 @@ InformationModel planes_alone(InformationModel model) {
   return model;
 }
 
-// Where there are no planes: edges hold nothing along themselves.
+// Without planes: edges do not constrain motions along themselves.
 InformationModel edges_alone(InformationModel model) {
   model.none.position = {};
   model.edge.position.along = 0.0;
@@ -54,7 +54,7 @@ Spread spread_of(const Cloud& target, std::span<const Correspondence> pairs) {
   return spread;
 }
 
-// The increment about the frame's zero that is (t, r / gyration) about the centroid: turning about c by w moves the
+// The increment about the frame's zero that is (t, r / gyration) about the centroid: a rotation w about c moves the
 // zero by -w x c.
 Mat6d increment_from_scaled(const Spread& spread) {
   Mat6d m = Mat6d::Identity();
@@ -63,10 +63,10 @@ Mat6d increment_from_scaled(const Spread& spread) {
   return m;
 }
 
-// So many pairs, taken evenly from all, tell the information to a hundredth.
+// This many pairs, evenly selected, give the information to a hundredth.
 constexpr std::size_t kNumAsked = 8192;
 
-// How a point holds motions by the information of its own surface: J^T Omega, with J that of a motion about the
+// The constraint of a point on motions by the information of its own surface: J^T Omega, with J for a motion about the
 // centroid.
 using Hold = Eigen::Matrix<double, 6, 3>;
 Hold hold_of(const Information& information, const Vec3d& direction, const Vec3d& place, const Spread& spread) {
@@ -77,15 +77,15 @@ Hold hold_of(const Information& information, const Vec3d& direction, const Vec3d
   return hold;
 }
 
-// Two directions that differ by more than noise belong to two surfaces, and what they share holds nothing.
+// Directions that differ by more than noise belong to two surfaces, and share no constraint.
 double weight_of_angle(double cosine) {
   constexpr double kMaxSineSq = 0.03;  // of ten degrees
   return kMaxSineSq / std::max(kMaxSineSq, 1.0 - cosine * cosine);
 }
 
-// J^T Omega J of a pair, but with the J and the half of Omega that each of its two points knows: what noise in one
-// direction seems to hold, the other's noise denies, so that in the sum it cancels. With the target's alone a sphere
-// seen with noise would be held against turns by as much as a room is.
+// J^T Omega J of a pair, but with the J and the half of Omega that each of its two points measures. Their noise is
+// independent and cancels in the sum. With the target's alone, noise would constrain the rotations of a sphere as much
+// as those of a room.
 Mat6d held_by(const PosedPairs& posed, const Correspondence& pair, const InformationModel& model,
               const Spread& spread) {
   const Cloud &source = posed.source, &target = posed.target;
@@ -106,7 +106,7 @@ Mat6d held_by(const PosedPairs& posed, const Correspondence& pair, const Informa
   return 0.5 * (both + both.transpose());
 }
 
-// The robust weights of the pairs' positions, as the objective has them.
+// The robust weights of the pairs' positions in the objective.
 std::vector<double> robust_weights(const PairChi2& chi2, double kernel_chi2) {
   std::vector<double> weights;
   for (const float of_position : chi2.position)

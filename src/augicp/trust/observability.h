@@ -5,19 +5,19 @@
 
 namespace augicp {
 
-// How firmly the data hold the six directions of motion.
+// How well the data constrain the six directions of motion.
 //
-// Metres and radians do not compare, so rotations are taken about the centroid of the paired points and scaled by their
-// radius of gyration: a turn then counts by how far it moves a typical point, and the unit of length does not matter
-// (Gelfand et al. 2003; the loss of a direction shows as a small eigenvalue: Zhang and Singh 2016).
+// Metres and radians are not comparable. Rotations are therefore taken about the centroid of the paired points and
+// scaled by their radius of gyration: a rotation counts by the motion of a typical point, and the unit of length does
+// not matter (Gelfand et al. 2003). A free direction has a small eigenvalue (Zhang and Singh 2016).
 struct Observability {
-  Vec6d information = Vec6d::Zero();  // of the six directions, each as a part of the best one's, ascending
+  Vec6d information = Vec6d::Zero();  // of the six directions, divided by the largest, ascending
   Mat6d directions = Mat6d::Zero();   // columns in that order: increments (metres, radians) about the target's zero
 
   Vec3d centroid = Vec3d::Zero();  // of the paired target points, metres
   double gyration = 0.0;           // their radius of gyration, metres
 
-  // How many directions have less information than this.
+  // The number of directions with less information than this.
   int num_below(double min_information) const {
     return static_cast<int>((information.array() < min_information).count());
   }
@@ -25,9 +25,8 @@ struct Observability {
   double weakest() const { return information[0]; }
 };
 
-// Of the information of the pairs' positions without its softening: what is 1 / epsilon times weaker than the rest in
-// Table 2 is there to keep a step solvable, not because it is known. And of what the intensities of both points hold,
-// where they count.
+// From the information of the pairs' positions without its softening: the part that Table 2 makes 1 / epsilon weaker
+// keeps a step solvable, but measures nothing. With intensities, also from those of both points.
 Observability observability(const PosedPairs& posed, const Objective& objective);
 
 }  // namespace augicp

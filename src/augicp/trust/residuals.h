@@ -7,20 +7,21 @@
 
 namespace augicp {
 
-// The typical size of one kind of error: its median, so that a wrong pair in four does not show. 0 where there is none.
+// The typical size of one kind of residual: the median, so that a quarter of wrong pairs does not matter. 0 if there is
+// none.
 struct ResidualStatistics {
   std::int64_t count = 0;
   double median = 0.0;  // metres, or radians
 };
 
-// What a pose leaves of each measured quantity, over pairs of points.
+// The residuals of each measured quantity under a pose, over pairs of points.
 struct Residuals {
-  ResidualStatistics point;    // distance of planar target points' partners from their planes, metres
+  ResidualStatistics point;    // distance of the source point from the target point's plane, metres
   ResidualStatistics normal;   // angle between two normals, radians
   ResidualStatistics tangent;  // angle between two tangents, radians
 };
 
-// Points without their origins. Normals compare with their sign where both sensors' places are known.
+// Points are without their origins. Normals are compared with their sign if both sensor positions are known.
 Residuals residuals(const PosedPairs& posed);
 
 }  // namespace augicp

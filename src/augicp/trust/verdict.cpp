@@ -13,21 +13,21 @@ double share(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
-// What should have been visible.
+// The points that should be visible.
 std::int64_t visible(const Agreement& count) { return count.seen() - count.hidden; }
 
 void require_share(const char* name, double value) {
   require(value >= 0.0 && value < 1.0, name, value, "must be from 0 to below 1");
 }
 
-// What one cloud's testimony has of what is allowed, in the order of the enumeration of doubts.
+// The ratios of one cloud's values to their limits, in the order of the enumeration of doubts.
 std::array<double, 3> strains(const Testimony& testimony, const VerdictLimits& limits) {
   const double min_agreeing = testimony.knows_free_space ? limits.min_agreeing : limits.min_agreeing_without_camera;
   return {(1.0 - testimony.margin()) / (1.0 - limits.min_margin), (1.0 - testimony.agreeing()) / (1.0 - min_agreeing),
           testimony.conflicting() / limits.max_conflicting};
 }
 
-// Of both sides: what one cloud says against the pose the other cannot make good.
+// The larger ratios of both sides: one cloud's contradiction is not compensated by the other.
 std::array<double, 4> strains(const Evidence& evidence, const VerdictLimits& limits) {
   const auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
   const bool is_bare = evidence.beyond_planes < limits.min_beyond_planes;
