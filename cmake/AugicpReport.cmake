@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The script of the reports: bundled by esbuild where Node and the packages of src/augicp/report/web/package.json are there
+# The script of the reports: bundled by esbuild where Node and the packages of apps/augicp/page/web/package.json are there
 # (scripts/build-report brings them), else left out: reports then have curves and tables, and no 3D views. Nothing is downloaded here.
 
 option(AUGICP_REPORT_SCRIPT "Bundle the script of the reports, where Node and its packages are there" ON)
-set(AUGICP_WEB ${PROJECT_SOURCE_DIR}/src/augicp/report/web)
+set(AUGICP_WEB ${PROJECT_SOURCE_DIR}/apps/augicp/page/web)
 
 find_program(AUGICP_NODE NAMES node nodejs)
 set(AUGICP_NODE_VERSION 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command's options, without the work behind them. The input is a configuration file after an empty line, and
 // arguments before it, one a line.
-#include "apps/augicp/command_line.h"
+#include "apps/augicp/command/command_line.h"
 
 #include <sstream>
 #include <string>

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Checks that the sources keep to the layout: each module includes only the modules it depends on, public headers show no
-third-party library but Eigen, no source file is forgotten in the build, and every file says its licence.
+third-party library but Eigen, the command's rooms include in one direction, no source file is forgotten in the build, and every
+file says its licence.
 
     includes_test.py ROOT    prints each fault; exit code 1 where there is one
 
@@ -15,6 +16,7 @@ from pathlib import Path
 SOURCE_SUFFIXES = {".h", ".cpp", ".py", ".cmake", ".in"}
 SOURCE_FOLDERS = ["src", "apps", "examples", "tests", "cmake", "scripts", "python", "experiments", "benchmarks", ".ci"]
 KEYWORDS = ["HEADERS", "SOURCES", "TESTS", "DEPENDS", "PRIVATE"]
+ROOMS = ["text", "page", "command"]  # of apps/augicp: each may include those before it
 LONG_FILE = 300  # lines; longer ones need a reason and are listed
 
 
@@ -48,6 +50,10 @@ def includes(text):
     return re.findall(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', text, flags=re.MULTILINE)
 
 
+def words_of(cmake_text):
+    return set(re.split(r"[\s()]+", re.sub(r"#.*", "", cmake_text)))
+
+
 def module_faults(root, modules, name, words):
     folder = root / "src/augicp" / name
     allowed, module = reachable(modules, name), modules[name]
@@ -68,6 +74,22 @@ def module_faults(root, modules, name, words):
                     yield f"{where}: a public header includes {included}; only Eigen may be seen by users"
 
 
+def room_faults(root):
+    app = root / "apps/augicp"
+    words = words_of((app / "CMakeLists.txt").read_text())
+    for rank, room in enumerate(ROOMS):
+        for path in sorted(path for suffix in ("h", "cpp") for path in (app / room).rglob(f"*.{suffix}")):
+            where, word = path.relative_to(root), path.relative_to(app).as_posix()
+            if word not in words:
+                yield f"{where}: is not named in apps/augicp/CMakeLists.txt"
+            for quote, included in includes(path.read_text()):
+                other = re.match(r"apps/augicp/(\w+)/", included)
+                if other and other[1] not in ROOMS[: rank + 1]:
+                    yield f"{where}: includes {included}; {room} may include {' and '.join(ROOMS[: rank + 1])}"
+                elif quote == '"' and "/" not in included:
+                    yield f'{where}: include "{included}" by its full path, apps/augicp/...'
+
+
 def source_files(root):
     for folder in SOURCE_FOLDERS:
         for path in sorted((root / folder).rglob("*")):
@@ -79,11 +101,12 @@ def source_files(root):
 
 def faults(root):
     cmake_text = (root / "src/augicp/CMakeLists.txt").read_text()
-    modules, words = read_modules(cmake_text), set(re.split(r"[\s()]+", cmake_text))
+    modules, words = read_modules(cmake_text), words_of(cmake_text)
     if not modules:
         yield "src/augicp/CMakeLists.txt: no augicp_module(...) found"
     for name in modules:
         yield from module_faults(root, modules, name, words)
+    yield from room_faults(root)
     for path in source_files(root):
         if not any("SPDX-License-Identifier: MIT" in line for line in path.read_text().splitlines()[:2]):
             yield f"{path.relative_to(root)}: no SPDX line at its top"
@@ -109,6 +132,11 @@ def check_self():
         "src/augicp/cloud/b_test.cpp": spdx + '#include <gtest/gtest.h>\n#include "augicp/match/c.h"\n',
         "src/augicp/match/c.h": spdx + '#include "augicp/core/a.h"\n  # include <tbb/task_arena.h>\n',
         "src/augicp/match/forgotten.cpp": spdx + "\n" * LONG_FILE,
+        "apps/augicp/CMakeLists.txt": "# SPDX-License-Identifier: MIT\nadd_library(x page/d.cpp page/d.h text/e.cpp  # text/f.h\n)\n",
+        "apps/augicp/page/d.h": spdx + '#include "apps/augicp/text/e.h"\n#include "apps/augicp/page/d.h"\n',
+        "apps/augicp/page/d.cpp": spdx + '#include "apps/augicp/command/g.h"\n',
+        "apps/augicp/text/e.cpp": spdx + '#include "apps/augicp/page/d.h"\n#include "e.h"\n',
+        "apps/augicp/text/f.h": spdx,
         "scripts/tool": "#!/bin/sh\n",
     }
     expected = {
@@ -117,6 +145,10 @@ def check_self():
         'src/augicp/cloud/b.cpp: include "b.h" by its full path, augicp/...',
         "src/augicp/match/c.h: a public header includes tbb/task_arena.h; only Eigen may be seen by users",
         "src/augicp/match/forgotten.cpp: is not named in src/augicp/CMakeLists.txt",
+        "apps/augicp/page/d.cpp: includes apps/augicp/command/g.h; page may include text and page",
+        "apps/augicp/text/e.cpp: includes apps/augicp/page/d.h; text may include text",
+        'apps/augicp/text/e.cpp: include "e.h" by its full path, apps/augicp/...',
+        "apps/augicp/text/f.h: is not named in apps/augicp/CMakeLists.txt",
         "scripts/tool: no SPDX line at its top",
     }
     with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/align.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <numbers>
+#include <system_error>
+
+#include "apps/augicp/command/beyond_paper.h"
+#include "apps/augicp/command/exit_code.h"
+#include "apps/augicp/command/inputs.h"
+#include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/output.h"
+#include "apps/augicp/command/progress.h"
+#include "apps/augicp/command/words.h"
+#include "apps/augicp/page/align_page.h"
+#include "apps/augicp/text/align.h"
+#include "augicp/io/transform_file.h"
+#include "augicp/io/write_cloud.h"
+
+namespace augicp::app {
+namespace {
+
+struct AlignArguments {
+  std::string source, target, source_image, target_image, initial, transform, output, json, page;
+  InputOptions input;
+  RegistrationOptions registration;
+  double max_angle_deg = RegistrationOptions{}.max_angle * 180.0 / std::numbers::pi;
+  bool trace = false, quiet = false;
+};
+
+Rigid3 initial_pose(const std::string& argument) {
+  if (argument.empty()) return {};
+  std::error_code not_a_path;  // numbers may be longer than a file name can be
+  return std::filesystem::exists(argument, not_a_path) ? read_transform(argument) : parse_transform(argument);
+}
+
+struct AlignRun {
+  AlignReport report;
+  Rigid3 initial;
+  Cloud source_as_read;
+  PreparedPair prepared;
+};
+
+AlignRun register_files(const AlignArguments& arguments) {
+  AlignRun run;
+  AlignReport& report = run.report;
+  report.source = arguments.source;
+  report.target = arguments.target;
+  run.initial = initial_pose(arguments.initial);
+  const RegistrationOptions& options = report.options = arguments.registration;
+  report.with_history = arguments.trace;
+  const Stopwatch reading;
+  Scan source = read_input(arguments.source, arguments.input, arguments.source_image).scan;
+  run.source_as_read = source.cloud;
+  Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
+  report.timing_ms.read = reading.elapsed_ms();
+  const Stopwatch preparing;
+  PreparedPair prepared = prepare_pair(std::move(source), std::move(target), options);
+  report.timing_ms.surface = preparing.elapsed_ms();
+  const Stopwatch aligning;
+  Registration registration = register_pair(std::move(prepared), run.initial, options);
+  report.timing_ms.align = aligning.elapsed_ms();
+  report.result = std::move(registration.result);
+  report.lengths = registration.prepared.lengths;
+  run.prepared = std::move(registration.prepared);
+  return run;
+}
+
+ExitCode exit_code_for(AlignStatus status) {
+  switch (status) {
+    case AlignStatus::Converged:
+      return kSuccess;
+    case AlignStatus::IterationLimit:
+    case AlignStatus::Degenerate:
+    case AlignStatus::Doubtful:
+      return kDoubtful;
+    default:
+      return kRegistrationFailed;
+  }
+}
+
+int run_align(AlignArguments arguments) {
+  arguments.registration.max_angle = arguments.max_angle_deg * std::numbers::pi / 180.0;
+  arguments.registration.check();
+  require_extension(arguments.output, {".ply", ".pcd"});
+  const AlignRun run = register_files(arguments);
+  const AlignReport& report = run.report;
+  const Rigid3& pose = report.result.target_from_source;
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
+  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
+  if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
+  if (!arguments.output.empty()) {
+    const Cloud moved = transform(run.source_as_read, pose);
+    write_whole([&] { write_cloud(arguments.output, moved); });
+  }
+  if (!arguments.page.empty()) write_text_file(arguments.page, align_page({report, run.initial, run.prepared}));
+  return exit_code_for(report.result.status);
+}
+
+void add_method_options(CLI::App& command, AlignArguments& arguments) {
+  RegistrationOptions& options = arguments.registration;
+  const std::string group = "Method";
+  command.add_option("--preset", options.preset, "default, or paper: the source to the letter (Table 2)")
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->group(group);
+  command.add_option("--method", options.method, "What is minimised (default augmented)")
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->group(group);
+  command
+      .add_option("--association", options.association,
+                  "How pairs are found (default auto: projective for depth images)")
+      ->transform(CLI::CheckedTransformer(kAssociations).description("{auto,projective,nearest}"))
+      ->group(group);
+  command
+      .add_option("--initial", arguments.initial,
+                  "Guess of T_target_source: a file, or \"tx ty tz qx qy qz qw\" (default: identity)")
+      ->group(group);
+  command.add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")
+      ->group(group);
+  command.add_option("--voxel-size", options.voxel_size, "Thins clouds, metres (default: derived)")->group(group);
+  command.add_option("--max-distance", options.max_distance, "Farther pairs are dropped, metres (default: derived)")
+      ->group(group);
+  command.add_option("--max-angle-deg", arguments.max_angle_deg, "Pairs whose directions differ by more are dropped")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--max-iterations", options.max_iterations)->capture_default_str()->group(group);
+  command.add_option("--min-step", options.min_step, "Smaller steps end it: part of the extent, radians; 0: never")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--threads", options.num_threads, "0: all; the result is the same for any number")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void add_output_options(CLI::App& command, AlignArguments& arguments) {
+  const std::string group = "Output";
+  command.add_option("--transform", arguments.transform, "Write T_target_source as 4x4 text")->group(group);
+  command.add_option("--output", arguments.output, "Write the source moved into the target frame (.ply or .pcd)")
+      ->group(group);
+  command.add_option("--json", arguments.json, "Write all results as JSON to a file, or to stdout with -")
+      ->group(group);
+  command
+      .add_option("--report", arguments.page,
+                  "Write a page to look at: one HTML file, both clouds in 3D, needs no network")
+      ->group(group);
+  command.add_flag("--trace", arguments.trace, "Include every iteration in the JSON")->group(group);
+  command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
+}
+
+}  // namespace
+
+void add_align_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<AlignArguments>();
+  CLI::App* command = app.add_subcommand("align", "Find the motion between two clouds or depth images");
+  command
+      ->add_option("source,--source", arguments->source,
+                   "The moving cloud: .ply .pcd .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")
+      ->required();
+  command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
+  add_input_options(*command, arguments->input);
+  command
+      ->add_option("--source-image", arguments->source_image,
+                   "Colour or grey .png registered to the source's depth image, for --intensity")
+      ->group("Input");
+  command->add_option("--target-image", arguments->target_image, "The same for the target")->group("Input");
+  add_method_options(*command, *arguments);
+  add_beyond_paper(*command, arguments->registration);
+  add_intensity(*command, arguments->registration);
+  add_output_options(*command, *arguments);
+  command->footer(
+      "The result T_target_source maps source coordinates into the target frame.\n"
+      "Examples:\n"
+      "  augicp align scan_b.ply scan_a.ply --transform T.txt --output b_in_a.ply\n"
+      "  augicp align 000002.png 000001.png --camera tum-fr1 --json -\n"
+      "  augicp align scan_b.ply scan_a.ply --report alignment.html\n"
+      "  augicp align 2.png 1.png --camera tum-fr1 --intensity --source-image rgb/2.png --target-image rgb/1.png\n"
+      "  augicp align b.pcd a.pcd --initial \"0.1 0 0 0 0 0 1\" --max-distance 0.5 --method gicp");
+  command->callback([arguments, &exit_code] { exit_code = run_align(*arguments); });
+}
+
+}  // namespace augicp::app

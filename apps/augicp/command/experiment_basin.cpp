@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/experiment_basin.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+#include "apps/augicp/command/beyond_paper.h"
+#include "apps/augicp/command/exit_code.h"
+#include "apps/augicp/command/experiment_output.h"
+#include "apps/augicp/command/inputs.h"
+#include "apps/augicp/command/output.h"
+#include "apps/augicp/command/words.h"
+#include "apps/augicp/page/experiment_charts.h"
+#include "apps/augicp/page/experiment_page.h"
+#include "apps/augicp/text/experiment.h"
+#include "augicp/core/error.h"
+#include "augicp/io/transform_file.h"
+
+namespace augicp::app {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+struct BasinArguments {
+  std::string source, target, truth;
+  InputOptions input;
+  std::vector<double> angles_deg{5.0, 10.0, 20.0, 30.0, 45.0, 60.0};
+  BasinOptions options;
+  std::optional<double> limit, limit_deg;
+  ExperimentOutput output;
+};
+
+Rigid3 truth_of(const Scan& source, const Scan& target, const BasinArguments& arguments) {
+  if (!arguments.truth.empty()) return read_transform(arguments.truth);
+  const AlignResult result = register_scans(source, target, {}, arguments.options.registration).result;
+  if (result.status != AlignStatus::Converged)
+    throw IoError(fmt::format("{}: from the identity the registration is {}; give --truth", arguments.source,
+                              name_of(result.status)));
+  return result.target_from_source;
+}
+
+int run(BasinArguments arguments) {
+  BasinOptions& options = arguments.options;
+  options.angles_rad = arguments.angles_deg;
+  for (double& angle : options.angles_rad) angle *= kDegree;
+  options.check();
+  const Scan source = read_input(arguments.source, arguments.input).scan;
+  const Scan target = read_input(arguments.target, arguments.input).scan;
+  options.limit = basin_limit(source, target, options);
+  if (arguments.limit) options.limit->translation = *arguments.limit;
+  if (arguments.limit_deg) options.limit->rotation = *arguments.limit_deg * kDegree;
+  const Rigid3 truth = truth_of(source, target, arguments);
+  ProgressBar bar(options.angles_rad.size() * options.distances.size() * options.num_starts, "starts",
+                  arguments.output.progress);
+  const auto cells = run_basin(source, target, truth, options, [&] { bar.advance(); });
+  write_text(arguments.output.csv, basin_csv(cells));
+  fmt::print(stderr, "{}", basin_text(cells, options));
+  if (!arguments.output.page.empty())
+    write_text_file(arguments.output.page, experiment_page({"From how far away the registration finds the truth",
+                                                            "Source: " + arguments.source,
+                                                            "Target: " + arguments.target, basin_text(cells, options)},
+                                                           basin_quantities(cells)));
+  return kSuccess;
+}
+
+void add_options(CLI::App& command, BasinArguments& arguments) {
+  const std::string starts = "Starts", method = "Method";
+  BasinOptions& options = arguments.options;
+  command
+      .add_option("--truth", arguments.truth,
+                  "T_target_source, a file (default: where the registration from the identity converges)")
+      ->group(starts);
+  command.add_option("--angles-deg", arguments.angles_deg, "Turns about the middle of the source")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->group(starts);
+  command.add_option("--distances", options.distances, "Metres")->delimiter(',')->capture_default_str()->group(starts);
+  command.add_option("--starts", options.num_starts, "For each angle and distance")
+      ->capture_default_str()
+      ->group(starts);
+  command.add_option("--seed", options.seed)->capture_default_str()->group(starts);
+  command.add_option("--limit", arguments.limit, "Success is nearer to the truth, metres (default: the ball's radius)")
+      ->group(starts);
+  command.add_option("--limit-deg", arguments.limit_deg, "And within this angle (default 2)")->group(starts);
+  RegistrationOptions& registration = options.registration;
+  command.add_option("--preset", registration.preset, "default or paper")
+      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->group(method);
+  command.add_option("--method", registration.method, "What is minimised (default augmented)")
+      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->group(method);
+  command.add_option("--max-iterations", registration.max_iterations)->capture_default_str()->group(method);
+  command
+      .add_option("--max-distance", registration.max_distance, "Farther pairs are dropped, metres (default: derived)")
+      ->group(method);
+  command.add_option("--threads", registration.num_threads, "0: all; the result is the same for any number")
+      ->capture_default_str()
+      ->group(method);
+}
+
+}  // namespace
+
+void add_basin_experiment(CLI::App& experiment, int& exit_code) {
+  const auto arguments = std::make_shared<BasinArguments>();
+  arguments->options.distances = {0.0, 0.5, 1.0, 2.0};
+  CLI::App* command = experiment.add_subcommand("basin", "From how far away a registration finds the truth");
+  command->add_option("source,--source", arguments->source, "The moving cloud or depth image")->required();
+  command->add_option("target,--target", arguments->target, "The fixed one")->required();
+  add_input_options(*command, arguments->input);
+  add_options(*command, *arguments);
+  add_beyond_paper(*command, arguments->options.registration);
+  add_intensity(*command, arguments->options.registration);
+  add_experiment_output(*command, arguments->output);
+  command->footer(
+      "CSV: share of starts that end at the truth, and mean iterations, for each angle and distance. The mean of the "
+      "share\n"
+      "over the surface, straight between the cells, is printed to stderr.\n"
+      "Examples:\n"
+      "  augicp experiment basin scan_b.ply scan_a.ply --truth T.txt --output basin.csv\n"
+      "  augicp experiment basin 000002.png 000001.png --camera tum-fr1 --distances 0,0.1,0.2 --report basin.html\n"
+      "  augicp experiment basin b.ply a.ply --angles-deg 10,20 --starts 50 --seed 7");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace augicp::app

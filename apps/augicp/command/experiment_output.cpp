@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/experiment_output.h"
+
+#include "apps/augicp/command/words.h"
+
+namespace augicp::app {
+
+void add_experiment_output(CLI::App& command, ExperimentOutput& output) {
+  const std::string group = "Output";
+  command.add_option("--output", output.csv, "Write the CSV to a file, or to stdout with -")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--report", output.page, "Write a page to look at: one HTML file with the curves, needs no network")
+      ->group(group);
+  command.add_option("--progress", output.progress, "A bar on the terminal: auto or none (default auto)")
+      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))
+      ->group(group);
+}
+
+}  // namespace augicp::app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The output options that all experiments share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "apps/augicp/command/progress.h"
+
+namespace augicp::app {
+
+struct ExperimentOutput {
+  std::string csv = "-";
+  std::string page;  // HTML; empty: none
+  Progress progress = Progress::Auto;
+};
+void add_experiment_output(CLI::App& command, ExperimentOutput& output);
+
+}  // namespace augicp::app

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/info.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "apps/augicp/command/exit_code.h"
+#include "apps/augicp/command/inputs.h"
+#include "apps/augicp/command/output.h"
+#include "augicp/registration/registration.h"
+
+namespace augicp::app {
+namespace {
+
+struct InfoArguments {
+  std::string file, json;
+  InputOptions input;
+};
+
+nlohmann::ordered_json info_json(const std::string& file, const Input& input) {
+  const Cloud& cloud = input.scan.cloud;
+  const Bounds box = bounds(cloud);
+  const Vec3d min = cloud.origin + box.min.cast<double>(), max = cloud.origin + box.max.cast<double>();
+  const Lengths lengths = derive_lengths(input.scan, input.scan);
+  return {{"file", file},
+          {"format", input.report.format},
+          {"num_points", cloud.size()},
+          {"num_declared", input.report.num_declared},
+          {"num_invalid", input.report.num_not_finite},
+          {"has_normals", cloud.has_directions()},
+          {"has_intensities", cloud.has_intensities()},
+          {"min", {min.x(), min.y(), min.z()}},
+          {"max", {max.x(), max.y(), max.z()}},
+          {"origin", {cloud.origin.x(), cloud.origin.y(), cloud.origin.z()}},
+          {"derived_lengths",
+           {{"extent", lengths.extent},
+            {"radius", lengths.radius},
+            {"voxel_size", lengths.voxel_size},
+            {"max_distance", lengths.max_distance}}},
+          {"warnings", input.report.warnings}};
+}
+
+std::string info_text(const nlohmann::ordered_json& info) {
+  const auto triple = [&](const char* key) {
+    return fmt::format("{:.6g} {:.6g} {:.6g}", info[key][0].get<double>(), info[key][1].get<double>(),
+                       info[key][2].get<double>());
+  };
+  const auto& lengths = info["derived_lengths"];
+  return fmt::format(
+      "file     {}\nformat   {}\npoints   {} ({} declared, {} without a finite position)\nnormals  {}\n"
+      "min      {}\nmax      {}\norigin   {}\n"
+      "lengths  extent {:.4g} m, ball radius {:.4g} m, voxel {:.4g} m, pair gate {:.4g} m (what align derives)\n",
+      info["file"].get<std::string>(), info["format"].get<std::string>(), info["num_points"].get<std::uint64_t>(),
+      info["num_declared"].get<std::uint64_t>(), info["num_invalid"].get<std::uint64_t>(),
+      info["has_normals"].get<bool>() ? "yes" : "no", triple("min"), triple("max"), triple("origin"),
+      lengths["extent"].get<double>(), lengths["radius"].get<double>(), lengths["voxel_size"].get<double>(),
+      lengths["max_distance"].get<double>());
+}
+
+int run_info(const InfoArguments& arguments) {
+  const nlohmann::ordered_json info = info_json(arguments.file, read_input(arguments.file, arguments.input));
+  if (!arguments.json.empty()) write_json(arguments.json, info);
+  if (arguments.json != "-") fmt::print("{}", info_text(info));
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* command = app.add_subcommand("info", "Say what a file holds: points, bounds, normals, invalid points");
+  command->add_option("file", arguments->file, "A cloud or a depth image")->required();
+  add_input_options(*command, arguments->input);
+  command->add_option("--json", arguments->json, "Write it as JSON to a file, or to stdout with -")->group("Output");
+  command->footer(
+      "Examples:\n"
+      "  augicp info scan.ply\n"
+      "  augicp info 000001.png --camera tum-fr1\n"
+      "  augicp info scan.pcd --json -");
+  command->callback([arguments, &exit_code] { exit_code = run_info(*arguments); });
+}
+
+}  // namespace augicp::app

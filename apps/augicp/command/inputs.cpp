@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/inputs.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "augicp/core/error.h"
+#include "augicp/io/camera_file.h"
+#include "augicp/io/depth_png.h"
+#include "augicp/io/grey_png.h"
+#include "augicp/io/read_cloud.h"
+
+namespace augicp::app {
+namespace {
+
+GreyImage read_grey_input(const std::filesystem::path& path, const DepthImage& depth) {
+  GreyImage grey = read_grey_png(path);
+  if (grey.width != depth.width || grey.height != depth.height)
+    throw IoError(fmt::format("{}: expected {} x {} pixels as in the depth image, found {} x {}", path.string(),
+                              depth.width, depth.height, grey.width, grey.height));
+  return grey;
+}
+
+// The library's own message names no file.
+void check_fits(const std::filesystem::path& path, const DepthImage& image, const DepthCamera& camera) {
+  try {
+    check_size(image, camera.pinhole);
+  } catch (const std::invalid_argument& error) {
+    throw IoError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+Input read_depth_input(const std::filesystem::path& path, const InputOptions& options,
+                       const std::filesystem::path& grey_path) {
+  if (options.camera.empty())
+    throw std::invalid_argument(
+        fmt::format("{}: a depth image needs --camera: a file, numbers \"fx fy cx cy\" or one of {}", path.string(),
+                    fmt::join(camera_names(), " ")));
+  const DepthImage image = read_depth_png(path, options.depth_scale);
+  check_depth_scale(image, path, options.depth_scale);
+  const DepthCamera camera = read_camera(options.camera);
+  check_fits(path, image, camera);
+  Input input{grey_path.empty() ? scan_of(image, camera) : scan_of(image, read_grey_input(grey_path, image), camera),
+              {}};
+  input.report.format = fmt::format("png depth {} x {}", image.width, image.height);
+  input.report.num_declared = image.depth.size();
+  input.report.num_not_finite = image.depth.size() - input.scan.cloud.size();
+  return input;
+}
+
+}  // namespace
+
+void add_input_options(CLI::App& command, InputOptions& options) {
+  const std::string group = "Input";
+  command
+      .add_option("--camera", options.camera,
+                  fmt::format("For depth images: a file, \"fx fy cx cy\" in pixels, or one of {}",
+                              fmt::join(camera_names(), " ")))
+      ->group(group);
+  command.add_option("--depth-scale", options.depth_scale, "Pixel value of one metre: TUM 5000, most others 1000")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--bin-columns", options.read.num_bin_columns, "Numbers a point in .bin files: 4 (KITTI) or 3")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--max-points", options.read.max_points, "Refuse clouds with more points")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->group(group);
+}
+
+Input read_input(const std::filesystem::path& path, const InputOptions& options,
+                 const std::filesystem::path& grey_path) {
+  if (lower_case_extension(path) == ".png") return read_depth_input(path, options, grey_path);
+  if (!grey_path.empty())
+    throw std::invalid_argument(
+        fmt::format("{}: an image goes with a depth image, not with a cloud", grey_path.string()));
+  CloudFile file = read_cloud(path, options.read);
+  for (const std::string& warning : file.report.warnings)
+    fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);
+  return {scan_of(std::move(file.cloud)), std::move(file.report)};
+}
+
+DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for) {
+  if (asked_for.empty() && !sequence.camera_problem.empty()) throw IoError(sequence.camera_problem);
+  if (asked_for.empty() && !sequence.camera)
+    throw std::invalid_argument(
+        fmt::format("{}: which camera? Give --camera: a file, numbers \"fx fy cx cy\" or one of {}", folder,
+                    fmt::join(camera_names(), " ")));
+  return asked_for.empty() ? *sequence.camera : read_camera(asked_for);
+}
+
+void require_extension(const std::string& output, const std::vector<std::string>& extensions) {
+  const bool known = std::find(extensions.begin(), extensions.end(), lower_case_extension(output)) != extensions.end();
+  if (output.empty() || known) return;
+  throw std::invalid_argument(fmt::format("--output {}: must end in {}", output, fmt::join(extensions, " or ")));
+}
+
+}  // namespace augicp::app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/interruption.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <ctime>
+#include <mutex>
+#include <string_view>
+#include <thread>
+
+namespace augicp::app {
+namespace {
+
+// Held while a file is written. Signals are the process's, and so is this.
+std::recursive_mutex writing;
+
+// A pipe that nobody reads would let the command wait for ever.
+constexpr int kMaxWaits = 100;
+constexpr timespec kWait{0, 10'000'000};  // 10 ms
+
+bool is_ignored(int signal) {
+  struct sigaction present {};
+  return ::sigaction(signal, nullptr, &present) == 0 && present.sa_handler == SIG_IGN;
+}
+
+sigset_t ending_signals() {
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (!is_ignored(signal)) ::sigaddset(&signals, signal);
+  return signals;
+}
+
+void say_interrupted() {
+  constexpr std::string_view kClearLine = "\r\033[K", kWords = "augicp: interrupted\n";
+  // Past stdio, whose lock the interrupted thread may hold. There is nobody to tell of a failure.
+  if (::isatty(STDERR_FILENO) == 1 && ::write(STDERR_FILENO, kClearLine.data(), kClearLine.size()) < 0) return;
+  if (::write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) return;
+}
+
+// Nothing is unwound: what the command computes is its own, and files are whole or absent at any moment that the mutex
+// is free. So no loop has to ask whether it should stop.
+void end_on_first_of(const sigset_t& signals) {
+  int signal = 0;
+  if (::sigwait(&signals, &signal) != 0) return;
+  for (int i = 0; i < kMaxWaits && !writing.try_lock(); ++i)
+    if (::sigtimedwait(&signals, nullptr, &kWait) > 0) break;
+  say_interrupted();
+  ::_exit(128 + signal);
+}
+
+}  // namespace
+
+void end_on_signals() {
+  const sigset_t signals = ending_signals();
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread(end_on_first_of, signals).detach();
+}
+
+void write_whole(const std::function<void()>& write) {
+  const std::lock_guard lock(writing);
+  write();
+}
+
+}  // namespace augicp::app

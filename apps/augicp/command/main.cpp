@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include "apps/augicp/command/command_line.h"
+#include "apps/augicp/command/exit_code.h"
+#include "apps/augicp/command/interruption.h"
+#include "augicp/core/error.h"
+
+namespace augicp::app {
+namespace {
+
+int fail(const char* message, ExitCode code) {
+  fmt::print(stderr, "augicp: {}\n", message);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app;
+  int exit_code = kSuccess;
+  set_up_command_line(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kSuccess : kUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+}  // namespace augicp::app
+
+int main(int argc, char** argv) {
+  using namespace augicp::app;
+  try {
+    end_on_signals();
+    const int code = run(argc, argv);
+    // A full disk behind a redirection must not look like success.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      return fail("standard output cannot be written", kInvalidInput);
+    return code;
+  } catch (const augicp::IoError& error) {
+    return fail(error.what(), kInvalidInput);
+  } catch (const std::invalid_argument& error) {
+    return fail(error.what(), kUsage);
+  } catch (const std::exception& error) {
+    return fail(error.what(), kInternalError);
+  }
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/page/align_page.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "apps/augicp/page/clouds.h"
+#include "apps/augicp/page/parts.h"
+#include "apps/augicp/page/verdict.h"
+
+namespace augicp::app {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::vector<Rigid3> poses_of(const AlignPicture& picture) {
+  std::vector<Rigid3> poses{picture.initial};
+  for (const AlignIteration& iteration : picture.report.result.history) poses.push_back(iteration.target_from_source);
+  return poses;
+}
+
+// How far the points at the middle of the source move, and by how much they turn.
+struct Step {
+  double translation = 0.0, rotation_deg = 0.0;
+};
+
+Step step_between(const Rigid3& before, const Rigid3& after, const Vec3d& middle) {
+  return {(after * middle - before * middle).norm(), kDegrees * angle_between(before, after)};
+}
+
+std::vector<Step> steps_of(const AlignPicture& picture) {
+  const std::vector<Rigid3> poses = poses_of(picture);
+  const Vec3d middle = middle_of(picture.prepared.source.cloud);
+  std::vector<Step> steps;
+  for (std::size_t i = 1; i < poses.size(); ++i) steps.push_back(step_between(poses[i - 1], poses[i], middle));
+  return steps;
+}
+
+std::vector<std::string> step_texts(const AlignPicture& picture) {
+  const auto& history = picture.report.result.history;
+  std::vector<std::string> texts{fmt::format("Before: the guess (0 of {})", history.size())};
+  const std::vector<Step> steps = steps_of(picture);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    texts.push_back(fmt::format("Iteration {} of {}: {} pairs, moved {:.3g} m and {:.3g}°", i + 1, history.size(),
+                                history[i].num_pairs, steps[i].translation, steps[i].rotation_deg));
+  return texts;
+}
+
+std::vector<Chart> convergence_charts(const AlignPicture& picture) {
+  const std::vector<Step> steps = steps_of(picture);
+  Chart cost{"Cost before the step", "iteration", "cost", true}, pairs{"Pairs", "iteration", "count", false};
+  Chart kernel{"Kernel K of the robust weight", "iteration", "chi²", true};
+  Chart step{"Step: metres, and degrees dashed", "iteration", "m, degrees", true};
+  cost.series = {{"cost"}};
+  pairs.series = {{"pairs"}};
+  kernel.series = {{"K"}};
+  step.series = {{"translation, m"}, {"rotation, degrees"}};
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const AlignIteration& iteration = picture.report.result.history[i];
+    for (Chart* chart : {&cost, &pairs, &kernel, &step}) chart->x.push_back(static_cast<double>(i + 1));
+    cost.series[0].y.push_back(iteration.cost);
+    pairs.series[0].y.push_back(static_cast<double>(iteration.num_pairs));
+    kernel.series[0].y.push_back(iteration.kernel_chi2);
+    step.series[0].y.push_back(steps[i].translation);
+    step.series[1].y.push_back(steps[i].rotation_deg);
+  }
+  for (Chart* chart : {&cost, &kernel, &step}) choose_scale(*chart);
+  return {cost, pairs, kernel, step};
+}
+
+nlohmann::ordered_json align_json(const AlignPicture& picture) {
+  const CloudFrame frame = frame_of(picture.prepared.source, picture.prepared.target);
+  const AlignReport& report = picture.report;
+  nlohmann::ordered_json poses = nlohmann::ordered_json::array();
+  for (const Rigid3& pose : poses_of(picture)) poses.push_back(pose_numbers(page_from_source(frame, pose)));
+  const PairedClouds clouds = paired_clouds(picture, frame);
+  nlohmann::ordered_json motions = nlohmann::ordered_json::array();
+  for (const FreeMotion& motion : report.result.free_motions)
+    motions.push_back({{"kind", name_of(motion.kind)},
+                       {"axis", numbers(motion.axis)},
+                       {"point", numbers(motion.point - frame.target_zero)}});
+  const double extent = frame.extent;
+  return {{"source", clouds.source},
+          {"target", clouds.target},
+          {"poses", poses},
+          {"step_texts", step_texts(picture)},
+          {"extent", extent},
+          {"residual_scale", report.lengths.radius > 0.0 ? report.lengths.radius : extent},
+          {"direction_length", 0.02 * extent},
+          {"view", view_json(frame)},
+          {"free_motions", motions}};
+}
+
+std::string matrix_html(const Rigid3& target_from_source) {
+  // Without the sign of what is written as zero.
+  const Mat4d matrix = target_from_source.matrix().unaryExpr([](double x) { return std::abs(x) < 5e-10 ? 0.0 : x; });
+  std::string text;
+  for (int i = 0; i < 4; ++i)
+    text +=
+        fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
+  return "<p>From source to target coordinates, metres</p>\n<pre id=\"matrix\">" + text + "</pre>\n";
+}
+
+}  // namespace
+
+std::string align_page(const AlignPicture& picture) {
+  const AlignReport& report = picture.report;
+  const std::vector<Chart> charts = convergence_charts(picture);
+  std::string side = section_html("Verdict", verdict_html(report.result));
+  side += section_html("T_target_source", matrix_html(report.result.target_from_source));
+  side += section_html("Convergence", figures_html(charts));
+  side += details_html("Options", html_list(effective_options(report)));
+  const std::string body =
+      "<main class=\"staged\">\n<div id=\"stage\"></div>\n<div class=\"side\">\n" + side + "</div>\n</main>\n";
+  const PageHead head{"Alignment",
+                      std::string(name_of(report.result.status)),
+                      badge_class(report.result.status),
+                      {"Source: " + report.source, "Target: " + report.target}};
+  return whole_page(head, "align", body, charts, align_json(picture));
+}
+
+}  // namespace augicp::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Clouds as a page draws them: around its zero, thinned, packed.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "apps/augicp/page/align_picture.h"
+
+namespace augicp::app {
+
+// The page's frame: the target's, with its zero in the middle of what the target shows, so that float is fine enough.
+struct CloudFrame {
+  const Cloud* source = nullptr;
+  const Cloud* target = nullptr;
+  Vec3f centre = Vec3f::Zero();       // of the target's points, relative to its origin
+  Vec3d target_zero = Vec3d::Zero();  // the page's zero in the target's frame
+  double extent = 1.0;                // of what is to be seen, metres, above 0
+  std::optional<Vec3d> eye{};         // the target's camera, where it had one
+};
+CloudFrame frame_of(const Scan& source, const Scan& target);
+
+// For the source's points as they are kept, without their origin.
+Rigid3 page_from_source(const CloudFrame& frame, const Rigid3& target_from_source);
+
+// Where the first look is from.
+nlohmann::ordered_json view_json(const CloudFrame& frame);
+
+// Both clouds, and each source point's partner under the final pose.
+struct PairedClouds {
+  nlohmann::ordered_json source, target;
+};
+PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame);
+
+// In the cloud's frame, the component-wise median; zero where there is none.
+Vec3d middle_of(const Cloud& cloud);
+
+}  // namespace augicp::app

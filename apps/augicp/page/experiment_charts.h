@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Rows of the experiments as curves.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "apps/augicp/page/chart.h"
+#include "augicp/experiment/basin.h"
+#include "augicp/experiment/sequence_errors.h"
+#include "augicp/experiment/synthetic.h"
+#include "augicp/experiment/verdict.h"
+
+namespace augicp::app {
+
+struct Quantity {
+  std::string name;
+  std::vector<Chart> charts;  // with the same series each
+};
+
+std::vector<Quantity> synthetic_quantities(const std::vector<SyntheticRow>& rows);
+std::vector<Quantity> sequence_quantities(std::span<const SequenceCurve> curves, const Trajectory& truth,
+                                          const std::vector<double>& time_offsets_s);
+std::vector<Quantity> basin_quantities(const std::vector<BasinCell>& cells);
+std::vector<Quantity> verdict_quantities(std::span<const VerdictPair> pairs);
+
+}  // namespace augicp::app

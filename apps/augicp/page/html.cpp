@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/page/html.h"
+
+namespace augicp::app {
+namespace {
+
+// Escapes a byte of UTF-8; bytes above 127 stay unchanged.
+std::string escaped(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      break;
+  }
+  const auto code = static_cast<unsigned char>(c);
+  const bool is_control = (code < 0x20 && c != '\n' && c != '\t') || code == 0x7f;
+  return is_control ? "\xef\xbf\xbd" : std::string(1, c);
+}
+
+std::string cells(const std::vector<std::string>& texts, const char* first, const char* others) {
+  std::string row = "<tr>";
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const std::string tag = i == 0 ? first : others;
+    row += "<" + tag + ">" + escaped_html(texts[i]) + "</" + tag.substr(0, 2) + ">";
+  }
+  return row + "</tr>\n";
+}
+
+}  // namespace
+
+std::string escaped_html(std::string_view text) {
+  std::string html;
+  for (const char c : text) html += escaped(c);
+  return html;
+}
+
+std::string json_in_html(std::string_view json) {
+  std::string text;
+  text.reserve(json.size());
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const std::string_view rest = json.substr(i, 3);
+    if (rest.front() == '<')
+      text += "\\u003c";
+    else if (rest.front() == '>')
+      text += "\\u003e";
+    else if (rest.front() == '&')
+      text += "\\u0026";
+    else if (rest == "\xe2\x80\xa8" || rest == "\xe2\x80\xa9") {  // U+2028, U+2029: line ends in JavaScript
+      text += rest == "\xe2\x80\xa8" ? "\\u2028" : "\\u2029";
+      i += 2;
+    } else
+      text += rest.front();
+  }
+  return text;
+}
+
+std::string html_list(const NamedTexts& rows) {
+  std::string html = "<dl>\n";
+  for (const auto& [name, text] : rows)
+    html += "<div><dt>" + escaped_html(name) + "</dt><dd>" + escaped_html(text) + "</dd></div>\n";
+  return html + "</dl>\n";
+}
+
+std::string html_table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<div class=\"scroll\"><table>\n<thead>" + cells(headings, "th", "th") + "</thead>\n<tbody>";
+  for (const std::vector<std::string>& row : rows) html += cells(row, "th scope=\"row\"", "td");
+  return html + "</tbody></table></div>\n";
+}
+
+}  // namespace augicp::app

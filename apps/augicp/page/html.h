@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Text from outside, such as file names, as HTML that shows exactly this text.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace augicp::app {
+
+// For element content and for attributes in double quotes. Control characters, which HTML cannot represent, become
+// U+FFFD.
+std::string escaped_html(std::string_view text);
+
+// JSON as the content of a <script> element: no tag or comment can begin in it, and it remains valid JSON.
+std::string json_in_html(std::string_view json);
+
+// A table of names and values; both are escaped here.
+using NamedTexts = std::vector<std::pair<std::string, std::string>>;
+std::string html_list(const NamedTexts& rows);
+
+// With a row of headings; the first column is a name, the others are numbers.
+std::string html_table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace augicp::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A trajectory as a page draws it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "apps/augicp/page/chart.h"
+#include "apps/augicp/page/odometry_picture.h"
+
+namespace augicp::app {
+
+// The page's frame: the true world, with the estimate laid on it, where there is one, else the estimate's; its zero in
+// the middle of the trajectory.
+struct OdometryView {
+  Similarity3 truth_from_world;
+  Vec3d centre = Vec3d::Zero();
+  double extent = 1.0;           // of the trajectory, metres, above 0
+  Vec3d up = -Vec3d::UnitY();    // the axis, or its opposite, that is most upwards to the camera
+  Vec3d right = Vec3d::UnitX();  // of somebody who looks down
+  Vec3d ahead = Vec3d::UnitZ();  // and what is above in that view
+  Vec3d looks = Vec3d::UnitZ();  // where the camera looks on the whole
+  Trajectory truth;              // during the run, thinned
+
+  Rigid3 page_from(const Rigid3& world_from_body) const;
+  Eigen::Vector2d from_above(const Vec3d& in_page) const { return {right.dot(in_page), ahead.dot(in_page)}; }
+};
+OdometryView view_of(const OdometryPicture& picture);
+
+// Consecutive positions of one segment, two points a line, as packed numbers in the page's frame.
+std::string estimate_lines(const OdometryRun& run, const OdometryView& view);
+std::string truth_lines(const OdometryView& view);
+
+nlohmann::ordered_json camera_json(const OdometryView& view, bool from_above);
+std::string top_view_svg(const OdometryRun& run, const OdometryView& view);
+
+}  // namespace augicp::app

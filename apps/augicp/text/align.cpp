@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/text/align.h"
+
+#include <fmt/core.h>
+
+#include <numbers>
+
+#include "apps/augicp/text/matrix_json.h"
+#include "augicp/registration/words.h"
+
+namespace augicp::app {
+namespace {
+
+nlohmann::ordered_json options_json(const AlignReport& report) {
+  const RegistrationOptions& options = report.options;
+  return {{"preset", word_for(kPresets, options.preset)},
+          {"method", word_for(kMethods, options.method)},
+          {"association", word_for(kAssociations, options.association)},
+          {"radius", report.lengths.radius},
+          {"voxel_size", report.lengths.voxel_size},
+          {"max_distance", report.lengths.max_distance},
+          {"max_angle_deg", options.max_angle * 180.0 / std::numbers::pi},
+          {"search", options.search},
+          {"coarse_to_fine", options.coarse_to_fine},
+          {"rolling_shutter", options.rolling_shutter},
+          {"intensity", options.intensity},
+          {"max_iterations", options.max_iterations},
+          {"min_step", options.min_step},
+          {"threads", options.num_threads}};
+}
+
+nlohmann::ordered_json history_json(const AlignResult& result) {
+  nlohmann::ordered_json history = nlohmann::ordered_json::array();
+  for (const AlignIteration& iteration : result.history)
+    history.push_back({{"T_target_source", matrix_json(iteration.target_from_source.matrix())},
+                       {"num_pairs", iteration.num_pairs},
+                       {"cost", iteration.cost},
+                       {"kernel_chi2", iteration.kernel_chi2},
+                       {"lever", iteration.lever},
+                       {"intensity_information", iteration.intensity_information}});
+  return history;
+}
+
+nlohmann::ordered_json free_motions_json(const AlignResult& result) {
+  nlohmann::ordered_json motions = nlohmann::ordered_json::array();
+  for (const FreeMotion& motion : result.free_motions)
+    motions.push_back({{"kind", name_of(motion.kind)},
+                       {"axis", std::vector<double>(motion.axis.begin(), motion.axis.end())},
+                       {"point", std::vector<double>(motion.point.begin(), motion.point.end())},
+                       {"pitch", motion.pitch}});
+  return motions;
+}
+
+std::string free_motions_text(const AlignResult& result) {
+  std::string text;
+  for (const FreeMotion& motion : result.free_motions) {
+    const Vec3d& axis = motion.axis;
+    const Vec3d& point = motion.point;
+    text += fmt::format("free     {} {} ({:.3f} {:.3f} {:.3f})", name_of(motion.kind),
+                        motion.kind == FreeMotion::Kind::Translation ? "along" : "about", axis.x(), axis.y(), axis.z());
+    if (motion.kind != FreeMotion::Kind::Translation)
+      text += fmt::format(" through ({:.3f} {:.3f} {:.3f})", point.x(), point.y(), point.z());
+    text += "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json testimony_json(const Testimony& testimony) {
+  const Agreement& count = testimony.count;
+  return {{"seen", testimony.seen()},
+          {"agreeing", testimony.agreeing()},
+          {"conflicting", testimony.conflicting()},
+          {"knows_free_space", testimony.knows_free_space},
+          {"num_points", count.total()}};
+}
+
+nlohmann::ordered_json statistics_json(const ResidualStatistics& statistics) {
+  return {{"count", statistics.count}, {"median", statistics.median}};
+}
+
+nlohmann::ordered_json evidence_json(const AlignResult& result) {
+  const Evidence& evidence = *result.evidence;
+  nlohmann::ordered_json doubts = nlohmann::ordered_json::array();
+  for (const Doubt doubt : result.doubts) doubts.push_back(name_of(doubt));
+  return {{"strain", strain(evidence)},
+          {"doubts", doubts},
+          {"source_in_target", testimony_json(evidence.source_in_target)},
+          {"target_in_source", testimony_json(evidence.target_in_source)},
+          {"beyond_planes", evidence.beyond_planes},
+          {"moved", evidence.moved},
+          {"residuals",
+           {{"point", statistics_json(evidence.residuals.point)},
+            {"normal", statistics_json(evidence.residuals.normal)},
+            {"tangent", statistics_json(evidence.residuals.tangent)}}}};
+}
+
+std::string testimony_text(const char* name, const Testimony& testimony) {
+  std::string text = fmt::format("{} sees {:.0f} % of the other, of it {:.1f} % agree", name, 100.0 * testimony.seen(),
+                                 100.0 * testimony.agreeing());
+  if (testimony.knows_free_space) text += fmt::format(", {:.1f} % in free space", 100.0 * testimony.conflicting());
+  return text;
+}
+
+}  // namespace
+
+std::string advice_for(AlignStatus status) {
+  switch (status) {
+    case AlignStatus::Converged:
+      return "the clouds agree on this pose, in both directions";
+    case AlignStatus::IterationLimit:
+      return "doubtful: still moving; allow more with --max-iterations, or give a better --initial";
+    case AlignStatus::Degenerate:
+      return "doubtful: the data leave at least one direction of motion open";
+    case AlignStatus::TooFewPairs:
+      return "failed: too few points, or points without extent";
+    case AlignStatus::NoOverlap:
+      return "failed: hardly any source point meets the target; give a better --initial or a larger --max-distance";
+    case AlignStatus::Diverged:
+      return "failed: the numbers stopped being finite";
+    case AlignStatus::Doubtful:
+      return "a pose was found, but the clouds contradict it; give a better --initial, or they have no common surface";
+  }
+  return {};
+}
+
+nlohmann::ordered_json to_json(const AlignReport& report) {
+  const AlignResult& result = report.result;
+  nlohmann::ordered_json json{
+      {"status", name_of(result.status)},
+      {"direction", "T_target_source maps source coordinates into the target frame"},
+      {"source", report.source},
+      {"target", report.target},
+      {"T_target_source", matrix_json(result.target_from_source.matrix())},
+      {"iterations", result.iterations},
+      {"num_pairs", result.num_pairs},
+      {"overlap", result.overlap},
+      {"rmse", result.rmse},
+      {"information", matrix_json(result.information)},
+      {"covariance", result.covariance ? matrix_json(*result.covariance) : nlohmann::ordered_json(nullptr)},
+      {"observability",
+       std::vector<double>(result.observability.information.begin(), result.observability.information.end())},
+      {"timing_ms",
+       {{"read", report.timing_ms.read}, {"surface", report.timing_ms.surface}, {"align", report.timing_ms.align}}}};
+  if (report.options.intensity)
+    json["intensity"] = {{"used", result.num_intensity_pairs > 0}, {"num_pairs", result.num_intensity_pairs}};
+  json["free_motions"] = free_motions_json(result);
+  if (result.evidence) json["evidence"] = evidence_json(result);
+  if (report.with_history) json["history"] = history_json(result);
+  json["version"] = AUGICP_VERSION;
+  json["options"] = options_json(report);
+  return json;
+}
+
+std::string to_text(const AlignReport& report) {
+  const AlignResult& result = report.result;
+  std::string text = fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iterations: {}\n", report.source,
+                                 report.target, name_of(result.status), result.iterations, advice_for(result.status));
+  text += fmt::format("pairs    {}, overlap {:.1f} %, rmse {:.4g} m\n", result.num_pairs, 100.0 * result.overlap,
+                      result.rmse);
+  if (report.options.intensity)
+    text += result.num_intensity_pairs > 0
+                ? fmt::format("         of these, {} by their brightness too\n", result.num_intensity_pairs)
+                : std::string("         brightness was not used: it, or its changes, are not known on both sides\n");
+  text += free_motions_text(result);
+  if (result.evidence) {
+    text += fmt::format("evidence {}\n", testimony_text("target", result.evidence->source_in_target));
+    text += fmt::format("         {}\n", testimony_text("source", result.evidence->target_in_source));
+  }
+  text += fmt::format("time     read {:.1f} ms, surface {:.1f} ms, align {:.1f} ms\n", report.timing_ms.read,
+                      report.timing_ms.surface, report.timing_ms.align);
+  text += "T_target_source (maps source coordinates into the target frame)\n";
+  const Mat4d matrix = result.target_from_source.matrix();
+  for (int i = 0; i < 4; ++i)
+    text +=
+        fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
+  return text;
+}
+
+}  // namespace augicp::app

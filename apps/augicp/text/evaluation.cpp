@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/text/evaluation.h"
+
+#include <fmt/core.h>
+
+#include <numbers>
+
+#include "apps/augicp/text/matrix_json.h"
+#include "augicp/eval/words.h"
+
+namespace augicp::app {
+namespace {
+
+Statistics in_degrees(Statistics statistics) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  for (double Statistics::*field : {&Statistics::rmse, &Statistics::mean, &Statistics::median, &Statistics::std,
+                                    &Statistics::min, &Statistics::max})
+    statistics.*field *= kDegrees;
+  statistics.sse *= kDegrees * kDegrees;
+  return statistics;
+}
+
+nlohmann::ordered_json statistics_json(const Statistics& statistics) {
+  return {{"rmse", statistics.rmse}, {"mean", statistics.mean},  {"median", statistics.median},
+          {"std", statistics.std},   {"min", statistics.min},    {"max", statistics.max},
+          {"sse", statistics.sse},   {"count", statistics.count}};
+}
+
+nlohmann::ordered_json pose_statistics_json(const std::optional<PoseStatistics>& errors) {
+  if (!errors) return nullptr;
+  return {{"translation", statistics_json(errors->translation)},
+          {"rotation_deg", statistics_json(in_degrees(errors->rotation))}};
+}
+
+nlohmann::ordered_json alignment_json(const Evaluation& evaluation) {
+  const Similarity3& truth_from_estimate = evaluation.alignment.target_from_source;
+  return {{"T_truth_estimate", matrix_json(truth_from_estimate.motion.matrix())},
+          {"scale", truth_from_estimate.scale},
+          {"unique", evaluation.alignment.unique}};
+}
+
+nlohmann::ordered_json options_json(const EvaluationOptions& options) {
+  return {
+      {"align", word_for(kAlignments, options.alignment)},        {"delta", options.delta.delta},
+      {"unit", word_for(kDeltaUnits, options.delta.unit)},        {"consecutive", options.delta.consecutive},
+      {"max_difference_s", options.association.max_difference_s}, {"time_offset_s", options.association.time_offset_s},
+      {"truth", word_for(kTruthReadings, options.truth)}};
+}
+
+std::string row(const std::string& name, const Statistics& s) {
+  return fmt::format("{:<24} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f}\n", name, s.rmse, s.mean,
+                     s.median, s.std, s.min, s.max);
+}
+
+std::string rows(const std::string& name, const PoseStatistics& errors) {
+  return row(name + ", m", errors.translation) + row(name + ", deg", in_degrees(errors.rotation));
+}
+
+std::string alignment_text(const Evaluation& evaluation) {
+  const double scale = evaluation.alignment.target_from_source.scale;
+  std::string text = word_for(kAlignments, evaluation.options.alignment);
+  if (evaluation.options.alignment == Alignment::Similarity) text += fmt::format(", scale {:.6g}", scale);
+  if (!evaluation.alignment.unique)
+    text += " (not unique: fewer than three positions, or on a line; rotation errors after it say little)";
+  return text;
+}
+
+std::string relative_text(const Evaluation& evaluation) {
+  const DeltaOptions& options = evaluation.options.delta;
+  const std::string delta = fmt::format("{:g} {}", options.delta, word_for(kDeltaUnits, options.unit));
+  if (!evaluation.relative) return fmt::format("relative   no two matched poses are {} apart\n", delta);
+  return fmt::format("relative   over {}, {} pairs{}\n", delta, evaluation.relative->translation.count,
+                     options.consecutive ? ", one after the other" : "");
+}
+
+}  // namespace
+
+std::string evaluation_text(const Evaluation& evaluation) {
+  std::string text = fmt::format(
+      "matched    {} of {} poses ({:.1f} %) with {} true ones\n"
+      "time       {:.6f} .. {:.6f} s ({:.3f} s)\nalignment  {}\n",
+      evaluation.num_matched, evaluation.num_estimate, 100.0 * evaluation.matched_share, evaluation.num_truth,
+      evaluation.first_stamp_s, evaluation.last_stamp_s, evaluation.last_stamp_s - evaluation.first_stamp_s,
+      alignment_text(evaluation));
+  text += relative_text(evaluation);
+  text +=
+      fmt::format("\n{:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "rmse", "mean", "median", "std", "min", "max");
+  text += rows("ATE not aligned", evaluation.absolute);
+  if (evaluation.aligned) text += rows("ATE aligned", *evaluation.aligned);
+  if (evaluation.relative) text += rows("RPE", *evaluation.relative);
+  return text;
+}
+
+nlohmann::ordered_json evaluation_json(const Evaluation& evaluation) {
+  return {{"num_estimate", evaluation.num_estimate},
+          {"num_truth", evaluation.num_truth},
+          {"num_matched", evaluation.num_matched},
+          {"matched_share", evaluation.matched_share},
+          {"first_stamp_s", evaluation.first_stamp_s},
+          {"last_stamp_s", evaluation.last_stamp_s},
+          {"ate", pose_statistics_json(evaluation.absolute)},
+          {"alignment", alignment_json(evaluation)},
+          {"ate_aligned", pose_statistics_json(evaluation.aligned)},
+          {"rpe", pose_statistics_json(evaluation.relative)},
+          {"options", options_json(evaluation.options)}};
+}
+
+}  // namespace augicp::app

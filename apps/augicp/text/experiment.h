@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Convergence experiments, as CSV and as text for people.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "augicp/experiment/basin.h"
+#include "augicp/experiment/sequence_errors.h"
+#include "augicp/experiment/synthetic.h"
+
+namespace augicp::app {
+
+// CSV with a header line; lengths in metres, angles in degrees, numbers that read back to the same bits.
+std::string synthetic_csv(const std::vector<SyntheticRow>& rows);
+std::string sequence_csv(std::span<const SequenceCurve> curves, const Trajectory& truth,
+                         const std::vector<double>& time_offsets_s);
+std::string curves_csv(std::span<const SequenceCurve> curves, const Trajectory& truth,
+                       const std::vector<double>& time_offsets_s);
+std::string basin_csv(const std::vector<BasinCell>& cells);
+
+// For people.
+std::string time_offset_text(const TimeOffset& found);
+std::string basin_text(const std::vector<BasinCell>& cells, const BasinOptions& options);
+
+}  // namespace augicp::app
