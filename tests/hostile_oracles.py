@@ -261,17 +261,35 @@ def is_number(word):
         return False
 
 
+def names_of(line):
+    line = re.sub("^#", "", re.sub("^//", "", line.strip(" \t")))
+    return [word[1:-1] if len(word) > 1 and word[0] == word[-1] == '"' else word for word in fields(line)]
+
+
+def axes_of_comment(comment, first_point):
+    """The columns that a comment before the first point names, where it names x, y and z."""
+    names = names_of(comment)
+    if any([name.lower() for name in names].count(axis) != 1 for axis in "xyz"):
+        return [0, 1, 2]
+    axes, num_numbers = columns_of(names), len(fields(first_point))
+    require(len(names) == num_numbers or axes == [0, 1, 2])
+    return axes
+
+
 def xyz(data):
-    found = [line for line in not_blank(split_lines(text_of(without_bom(data)))) if not line.strip(" \t").startswith("#")]
+    lines = not_blank(split_lines(text_of(without_bom(data))))
+    is_comment = [line.strip(" \t").startswith("#") for line in lines]
+    found = [line for line, skip in zip(lines, is_comment) if not skip]
     require(found)
-    axes, declared, head = [0, 1, 2], None, fields(found[0])
-    if len(head) == 1 and re.fullmatch(r"\d+", head[0], re.A):
-        declared = count(head[0])
-    elif not is_number(head[0]):
-        axes = columns_of(fields(re.sub("^[ \t]*//", "", found[0])))
-    if declared is not None or not is_number(head[0]):
-        found = found[1:]
+    before = lines[:is_comment.index(False)]
+    axes, declared = None, None
+    if not is_number(fields(found[0])[0]):
+        axes, found = columns_of(names_of(found[0])), found[1:]
+    if found and len(fields(found[0])) == 1 and re.fullmatch(r"\d+", fields(found[0])[0], re.A):
+        declared, found = count(fields(found[0])[0]), found[1:]
     require(found and (declared is None or len(found) >= declared))
+    if axes is None:
+        axes = axes_of_comment(before[-1], found[0]) if before else [0, 1, 2]
     mark = separator(found[0])
     rows = [fields_of(line, mark) for line in found[:declared]]
     require(all(len(row) > max(axes) for row in rows))
@@ -292,6 +310,7 @@ def npy(data):
     fortran = re.search(r"'fortran_order'[ \t]*:[ \t]*(True|False)", header)[1] == "True"
     shape = [int(side) for side in re.search(r"'shape'[ \t]*:[ \t]*\(([^)]*)\)", header)[1].strip(" \t,").split(",")]
     require(len(shape) in (2, 3) and shape[-1] >= 3)
+    require(not (len(shape) == 2 and shape[0] in (3, 4) and shape[1] > 8))  # coordinates as rows
     total = math.prod(shape)
     begin, size = begin + length, int(size)
     require(begin + total * size <= len(data))

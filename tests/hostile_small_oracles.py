@@ -73,7 +73,8 @@ def trajectory(data):
     rows = rows_of_numbers(data)
     require(rows and all(len(row) == 8 for row in rows))
     stamps = [row[0] for row in rows]
-    require(all(first < second for first, second in zip(stamps, stamps[1:])))
+    require(all(first <= second for first, second in zip(stamps, stamps[1:])))
+    rows = [row for row, before in zip(rows, [None] + stamps) if row[0] != before]  # of equal stamps the first is kept
     return Holds(len(rows), [sum(map(abs, row[1:4])) for row in rows])
 
 

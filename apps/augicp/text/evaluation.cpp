@@ -61,7 +61,9 @@ std::string alignment_text(const Evaluation& evaluation) {
   std::string text = word_for(kAlignments, evaluation.options.alignment);
   if (evaluation.options.alignment == Alignment::Similarity) text += fmt::format(", scale {:.6g}", scale);
   if (!evaluation.alignment.unique)
-    text += " (not unique: fewer than three positions, or on a line; rotation errors after it say little)";
+    text +=
+        " (not unique: the positions stand still, are on a line to within the residual, or fewer than three; rotation "
+        "errors after it say little)";
   return text;
 }
 

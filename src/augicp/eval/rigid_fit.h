@@ -22,9 +22,10 @@ Rigid3 operator*(const Similarity3& b_from_a, const Rigid3& a_from_body);
 
 struct RigidFit {
   Similarity3 target_from_source;
-  // False if several rotations fit equally well: fewer than three points, all points of a set on one line (to within a
-  // millionth of its length), or a mirrored set with a symmetry. The sum of squares is still the least. For points on a
-  // line the rotation is the smallest of the best ones, without a rotation about the line; for equal points it is none.
+  // False if several rotations fit as well as the best: fewer than three points, a set that stands still, all points of
+  // a set on a line (to within a millionth of its length, or to within the residual of the fit), or a mirrored set with
+  // a symmetry. The sum of squares is still the least. For points on a line the rotation is the smallest of the best
+  // ones, without a rotation about the line; for equal points it is none.
   bool unique = true;
 };
 

@@ -174,5 +174,33 @@ TEST(RigidFit, WhatCannotBeFittedIsRefused) {
   EXPECT_THROW(fit_similarity(Points{{0, 0, 0}, {1e200, 0, 0}, {0, 1, 0}}, three), std::invalid_argument);
 }
 
+// A camera that stands still, but for the rounding of its file, has no direction to fit and no scale.
+TEST(RigidFit, OfAStillSetIsNotUnique) {
+  std::mt19937 generator(21);
+  const Points target = random_points(generator, 100);
+  for (const double rounding : {0.0, 1e-15, 1e-7, 1e-3}) {
+    Points source;
+    for (std::size_t i = 0; i < target.size(); ++i)
+      source.push_back(Vec3d(1, 2, 3) + rounding * testing::random_direction(generator));
+    EXPECT_FALSE(fit_rigid(source, target).unique) << rounding;
+    EXPECT_FALSE(fit_similarity(source, target).unique) << rounding;
+  }
+}
+
+// A straight way with jitter: the turn about it is as good as any where the jitters have nothing in common.
+TEST(RigidFit, OfAJitteringLineIsUniqueOnlyWhereTheJitterAgrees) {
+  std::mt19937 generator(22);
+  Points line, other, same;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3d place(0.1 * i, 0.0, 0.0);
+    line.push_back(place + 0.02 * testing::random_direction(generator));
+    other.push_back(place + 0.02 * testing::random_direction(generator));
+    same.push_back(line.back() + 0.002 * testing::random_direction(generator));
+  }
+  EXPECT_FALSE(fit_rigid(line, other).unique);
+  EXPECT_TRUE(fit_rigid(line, same).unique);
+  EXPECT_TRUE(fit_similarity(line, same).unique);
+}
+
 }  // namespace
 }  // namespace augicp

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "augicp/io/binary_points.h"
+#include "augicp/io/cloud_builder.h"
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_lines.h"
@@ -63,6 +64,11 @@ std::vector<std::uint64_t> shape_of(const FileBytes& file, std::string_view valu
     shape.push_back(*side);
   }
   if (shape.size() < 2 || shape.back() < 3) throw fail();
+  // Three or four rows, and more columns than a point has numbers: coordinates as rows, homogeneous or not.
+  if (shape.size() == 2 && (shape[0] == 3 || shape[0] == 4) && shape[1] > kNumRoles)
+    throw io_error_at_byte(
+        file.path, 10,
+        fmt::format("expected the shape (N, 3), found {}: is it transposed?", in_quotes(value.substr(0, end + 1))));
   return shape;
 }
 

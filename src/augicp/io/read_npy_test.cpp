@@ -83,6 +83,14 @@ TEST(ReadNpy, ShapesThatCannotBeAreErrors) {
 }
 
 // robustness 3
+TEST(ReadNpy, CoordinatesAsRowsAreRefused) {
+  const std::string body = packed<float>(std::vector<float>(36, 1.0f));
+  for (const char* shape : {"(3, 12)", "(4, 9)", "(3, 9)"})
+    expect_refused("a.npy", npy("<f4", "False", shape, body), "is it transposed?");
+  for (const char* shape : {"(12, 3)", "(6, 4)", "(3, 3)", "(3, 4)", "(4, 8)", "(2, 12)"})
+    EXPECT_GE(parse("a.npy", npy("<f4", "False", shape, body)).cloud.size(), 2u) << shape;
+}
+
 TEST(ReadNpy, HeadersThatMakeNoSenseAreErrors) {
   const std::string body = packed<float>({1, 2, 3});
   const std::pair<std::string, const char*> cases[] = {

@@ -2,7 +2,9 @@
 #include "augicp/io/read_xyz.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
@@ -11,46 +13,97 @@
 namespace augicp {
 namespace {
 
-// The content of the first line, and the lines after it.
+constexpr std::array<std::string_view, 3> kCoordinateNames{"x", "y", "z"};
+
+// What the lines before the first point state, and the lines after them.
 struct Layout {
   TextPoints points;
   std::optional<std::uint64_t> declared;
   TextLines lines;
 };
 
+// The name without the quotes that spreadsheets put around it.
+std::string unquoted(std::string_view name) {
+  const bool is_quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
+  return std::string(is_quoted ? name.substr(1, name.size() - 2) : name);
+}
+
 std::vector<std::string> column_names(std::string_view line) {
   line = trimmed(line);
   if (line.starts_with("//")) line.remove_prefix(2);  // CloudCompare's comment mark
+  if (line.starts_with('#')) line.remove_prefix(1);
   std::vector<std::string> names;
   const char separator = separator_of(line);
-  while (const auto name = next_field(line, separator)) names.emplace_back(*name);
+  while (const auto name = next_field(line, separator)) names.push_back(unquoted(*name));
   return names;
 }
 
-std::string_view next_content(TextLines& lines) {
-  while (const auto line = lines.next_not_blank())
+// The next line that is not a comment; the last comment before it stands in `comment`, empty where there is none.
+std::string_view next_content(TextLines& lines, std::string_view* comment = nullptr) {
+  while (const auto line = lines.next_not_blank()) {
     if (!trimmed(*line).starts_with('#')) return *line;
+    if (comment) *comment = *line;
+  }
   return {};
+}
+
+// Whether the names are x, y and z, each once, beside others.
+bool name_positions(std::span<const std::string> names) {
+  return std::all_of(kCoordinateNames.begin(), kCoordinateNames.end(), [&](std::string_view coordinate) {
+    return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
+             return name.size() == 1 && (name[0] | ('a' - 'A')) == coordinate[0];
+           }) == 1;
+  });
+}
+
+// Columns that a comment before the first point names, as in "# r g b x y z". Without such a comment a point begins
+// with x y z. Throws IoError where the names are not as many as the numbers and contradict that.
+PointColumns columns_of_comment(const FileBytes& file, std::string_view comment, std::string_view first_point) {
+  PointColumns columns;
+  for (std::size_t axis = 0; axis < 3; ++axis) columns.of_role[axis] = axis;
+  const std::vector<std::string> names = column_names(comment);
+  if (!name_positions(names)) return columns;
+  const PointColumns named = find_columns(file.path, names);
+  const std::size_t num_numbers = num_fields(first_point, separator_of(first_point));
+  if (names.size() == num_numbers) return named;
+  if (std::equal(columns.of_role.begin(), columns.of_role.begin() + 3, named.of_role.begin())) return columns;
+  throw io_error(file.path, fmt::format("the comment {} names {} columns, the first point has {} numbers",
+                                        in_quotes(comment), names.size(), num_numbers));
+}
+
+// A line that states the number of points, as CloudCompare and .pts files have it.
+std::optional<std::uint64_t> count_of(std::string_view line) {
+  std::string_view rest = line;
+  const char separator = separator_of(line);
+  if (num_fields(line, separator) != 1) return std::nullopt;
+  return parse_count(*next_field(rest, separator));
+}
+
+bool begins_with_a_number(std::string_view line) {
+  std::string_view rest = line;
+  return parse_double(next_field(rest, separator_of(line)).value_or("")).has_value();
 }
 
 Layout layout_of(const FileBytes& file) {
   Layout layout{{}, std::nullopt, TextLines(without_bom(file.bytes))};
   layout.points.has_comments = true;
-  layout.points.columns.of_role[0] = 0;
-  layout.points.columns.of_role[1] = 1;
-  layout.points.columns.of_role[2] = 2;
   TextLines lines = layout.lines;
-  std::string_view line = next_content(lines);
-  std::string_view rest = line;
-  const std::string_view first = next_field(rest, separator_of(line)).value_or("");
-  const bool is_header = !line.empty() && !parse_double(first);
-  layout.declared = num_fields(line, separator_of(line)) == 1 ? parse_count(first) : std::nullopt;
-  if (is_header) layout.points.columns = find_columns(file.path, column_names(line));
-  if (layout.declared) layout.points.num_points = *layout.declared;
-  if (is_header || layout.declared) {
+  std::string_view comment, line = next_content(lines, &comment);
+  const auto take_line = [&] {
     layout.lines = lines;
     line = next_content(lines);
+  };
+  const bool has_header = !line.empty() && !begins_with_a_number(line);
+  if (has_header) {
+    layout.points.columns = find_columns(file.path, column_names(line));
+    take_line();
   }
+  layout.declared = count_of(line);
+  if (layout.declared) {
+    layout.points.num_points = *layout.declared;
+    take_line();
+  }
+  if (!has_header) layout.points.columns = columns_of_comment(file, comment, line);
   layout.points.separator = separator_of(line);
   return layout;
 }

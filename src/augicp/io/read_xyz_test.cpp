@@ -38,6 +38,21 @@ TEST(ReadXyz, AHeaderNamesTheColumns) {
   EXPECT_EQ(parse("a.csv", std::string("x , y , z\n") + with_all(kText, " ", " , ")).cloud.points, kPoints);
 }
 
+TEST(ReadXyz, ACommentMayNameTheColumns) {
+  EXPECT_EQ(parse("a.txt", "# r g b x y z\n9 9 9 1 2 3\n0 0 0 4 5 6\n7 7 7 7 8 9.25\n").cloud.points, kPoints);
+  EXPECT_EQ(parse("a.txt", "# a survey\n#Z;Y;X\n3;2;1\n6;5;4\n9.25;8;7\n").cloud.points, kPoints);
+  EXPECT_EQ(parse("a.csv", "\"z\",\"y\",\"x\"\n3,2,1\n6,5,4\n9.25,8,7\n").cloud.points, kPoints);
+  // Prose, and names that say what holds anyhow.
+  for (const char* comment : {"# x y z\n", "# positions x y\n", "# x y z of every point\n", "# x y z r g b\n"})
+    EXPECT_EQ(parse("a.xyz", comment + std::string(kText)).cloud.points, kPoints) << comment;
+  expect_refused("a.txt", std::string("# r g b x y z\n") + kText, "names 6 columns, the first point has 3 numbers");
+}
+
+TEST(ReadXyz, AHeaderMayBeFollowedByTheCount) {
+  EXPECT_EQ(parse("a.txt", std::string("//X Y Z\n3\n") + kText).cloud.points, kPoints);
+  expect_refused("a.txt", std::string("//X Y Z\n4\n") + kText, "expected 4 points");
+}
+
 // robustness 3
 TEST(ReadXyz, ASingleNumberFirstIsTheCount) {
   EXPECT_EQ(parse("a.pts", std::string("3\n") + kText).cloud.points, kPoints);

@@ -52,7 +52,7 @@ StampedPose pose_of(std::string_view content, const Trajectory& before) {
   const double stamp_s = numbers[0];
   if (std::abs(stamp_s) > kMaxStamp_s)
     throw Fault(fmt::format("expected a timestamp in seconds, found {}: {}?", stamp_s, likely_unit(stamp_s)));
-  if (!before.empty() && stamp_s <= before.back().stamp_s)
+  if (!before.empty() && stamp_s < before.back().stamp_s)
     throw Fault(fmt::format("expected timestamps that increase, found {} after {}", stamp_s, before.back().stamp_s));
   return {stamp_s, pose_of_numbers("pose", std::span(numbers).subspan<1>())};
 }
@@ -74,18 +74,28 @@ std::string stamp_text(double stamp_s) {
 TrajectoryFile parse_tum_trajectory(const FileBytes& file) {
   check_is_text(file);
   TrajectoryFile read;
+  std::uint64_t num_repeated = 0, first_repeated = 0;
   TextLines lines(without_bom(file.bytes));
   while (const auto line = lines.next()) {
     const std::string_view content = trimmed(line->substr(0, line->find('#')));
     if (content.empty()) continue;
     try {
-      read.trajectory.push_back(pose_of(content, read.trajectory));
+      const StampedPose pose = pose_of(content, read.trajectory);
+      const bool is_repeated = !read.trajectory.empty() && pose.stamp_s == read.trajectory.back().stamp_s;
+      if (!is_repeated)
+        read.trajectory.push_back(pose);
+      else if (num_repeated++ == 0)
+        first_repeated = lines.line();
     } catch (const Fault& fault) {
       throw io_error_at_line(file.path, lines.line(), fault.what());
     }
   }
   if (read.trajectory.empty())
     throw io_error(file.path, fmt::format("expected poses, {} a line, found none", kColumns));
+  if (num_repeated > 0)
+    read.warnings.push_back(
+        fmt::format("{} poses repeat the stamp before, first in line {}: of equal stamps the first pose is kept",
+                    num_repeated, first_repeated));
   if (!ends_with_a_line_end(file.bytes)) read.warnings.push_back(kNoLineEndWarning);
   return read;
 }

@@ -19,9 +19,10 @@ struct TrajectoryFile {
 };
 
 // A trajectory in the form of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw` per line, the pose of the
-// camera in the world (T_world_camera), seconds and metres, separated by blanks or commas; '#' starts a comment. Throws
-// IoError naming the line if it has not 8 finite numbers, if its quaternion is not of unit length (see pose_numbers.h),
-// or if its stamp is not above the one before or too large for seconds; also if there is no pose.
+// camera in the world (T_world_camera), seconds and metres, separated by blanks or commas; '#' starts a comment. Of
+// poses with equal stamps the first is kept, with a warning. Throws IoError naming the line if it has not 8 finite
+// numbers, if its quaternion is not of unit length (see pose_numbers.h), or if its stamp is below the one before or too
+// large for seconds; also if there is no pose.
 TrajectoryFile parse_tum_trajectory(const FileBytes& file);
 TrajectoryFile read_tum_trajectory(const std::filesystem::path& path);
 
