@@ -2,8 +2,7 @@
 // Two scans from files: the whole job in one call.
 #include <iostream>
 
-#include "augicp/io/read_cloud.h"
-#include "augicp/registration/registration.h"
+#include "augicp/augicp.h"
 
 int main(int argc, char** argv) {
   if (argc != 3) {

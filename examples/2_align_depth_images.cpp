@@ -2,8 +2,7 @@
 // Two images of a depth camera, with options: GICP's objective beside the augmented one, on the same pairs search.
 #include <iostream>
 
-#include "augicp/io/depth_png.h"
-#include "augicp/registration/registration.h"
+#include "augicp/augicp.h"
 
 int main(int argc, char** argv) {
   if (argc != 3) {

@@ -3,12 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "augicp/align/damped_step.h"
-#include "augicp/cloud/voxel_grid.h"
-#include "augicp/io/read_cloud.h"
-#include "augicp/match/matcher.h"
-#include "augicp/surface/ball_neighbourhood.h"
-#include "augicp/surface/estimate_surface.h"
+#include "augicp/augicp.h"
 
 namespace {
 

@@ -27,9 +27,17 @@ list(JOIN headers "" all_headers)
 file(WRITE ${WORK}/all_headers.cpp "${all_headers}")
 
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${WORK}/consumer -G Ninja ${cxx} -DCMAKE_PREFIX_PATH=${prefix}
-  -DALL_HEADERS_SOURCE=${WORK}/all_headers.cpp)
+  -DALL_HEADERS_SOURCE=${WORK}/all_headers.cpp -DEXAMPLES=${SOURCE}/examples)
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)
+set(sample ${SOURCE}/data/tum_fr1_desk_30/depth)
+file(GLOB images ${sample}/*.png)
+list(GET images 0 first)
+list(GET images 1 second)
+run(${WORK}/consumer/example_2_align_depth_images ${second} ${first})
+foreach(example 1_align_scans 3_stage_by_stage)
+  run(${WORK}/consumer/example_${example} ${SOURCE}/data/room_pair/source.ply ${SOURCE}/data/room_pair/target.ply)
+endforeach()
 
 # The Python package, from the prefix alone; it was built with the library.
 if(PYTHON)
