@@ -2,7 +2,7 @@
 # One call per module: its sources, public headers, tests and the modules it may include.
 #
 # Modules are object libraries. CMake refuses cycles among them, and the library users link, augicp::augicp, is made of their
-# objects. `tests/includes_test.py` checks that a module includes only what its DEPENDS names.
+# objects. A module that is NOT_INSTALLED is a library of its own instead, augicp_NAME_library, for the command and the tests. `tests/includes_test.py` checks that a module includes only what its DEPENDS names.
 
 add_library(augicp_build_flags INTERFACE)
 target_compile_features(augicp_build_flags INTERFACE cxx_std_20)
@@ -31,7 +31,7 @@ if(AUGICP_BUILD_FUZZERS)
 endif()
 
 function(augicp_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;TESTS;DEPENDS;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NOT_INSTALLED" "" "HEADERS;SOURCES;TESTS;DEPENDS;PRIVATE")
   add_library(augicp_${name} OBJECT)
   list(TRANSFORM arg_SOURCES PREPEND ${name}/)
   list(TRANSFORM arg_HEADERS PREPEND ${name}/)
@@ -40,8 +40,14 @@ function(augicp_module name)
   list(TRANSFORM arg_DEPENDS PREPEND augicp_)
   target_link_libraries(augicp_${name} PUBLIC Eigen3::Eigen ${arg_DEPENDS} PRIVATE augicp_build_flags ${arg_PRIVATE})
   target_include_directories(augicp_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-  set_property(GLOBAL APPEND PROPERTY AUGICP_MODULES ${name})
-  set_property(GLOBAL APPEND PROPERTY AUGICP_PRIVATE_LIBRARIES ${arg_PRIVATE})
+  if(arg_NOT_INSTALLED)
+    add_library(augicp_${name}_library STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:augicp_${name}>)
+    set_target_properties(augicp_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    target_link_libraries(augicp_${name}_library PUBLIC augicp ${arg_PRIVATE})
+  else()
+    set_property(GLOBAL APPEND PROPERTY AUGICP_MODULES ${name})
+    set_property(GLOBAL APPEND PROPERTY AUGICP_PRIVATE_LIBRARIES ${arg_PRIVATE})
+  endif()
   if(arg_TESTS)
     set_property(GLOBAL APPEND PROPERTY AUGICP_TESTED_MODULES ${name})
     set_property(GLOBAL PROPERTY AUGICP_TESTS_${name} ${arg_TESTS})

@@ -9,6 +9,7 @@
 #include "augicp/experiment/basin.h"
 #include "augicp/experiment/sequence_errors.h"
 #include "augicp/experiment/synthetic.h"
+#include "augicp/experiment/time_offset.h"
 
 namespace augicp::app {
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "augicp/experiment/random.h"
+#include "augicp/experiment/time_offset.h"
 #include "augicp/geometry/rotation.h"
 
 namespace augicp {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "augicp/experiment/time_offset.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
