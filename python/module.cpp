@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <stdexcept>
 
+#include "augicp/eval/option_table.h"
+#include "augicp/odometry/option_table.h"
+#include "augicp/registration/option_table.h"
 #include "python/bindings.h"
-#include "python/camera.h"
-#include "python/cloud.h"
-#include "python/depth.h"
-#include "python/errors.h"
-#include "python/evaluation_options.h"
-#include "python/odometry_options.h"
-#include "python/registration_options.h"
-#include "python/result.h"
-#include "python/trajectory.h"
-#include "python/words.h"
+#include "python/cloud/cloud.h"
+#include "python/core/errors.h"
+#include "python/core/options.h"
+#include "python/core/words.h"
+#include "python/geometry/trajectory.h"
+#include "python/registration/result.h"
+#include "python/sensor/camera.h"
+#include "python/sensor/depth.h"
 
 namespace augicp::python {
 namespace {
@@ -21,11 +22,21 @@ constexpr const char* kDefaultsDoc =
 
 None: derived from the clouds, or the preset's.)";
 
-py::dict default_options(const std::string& function) {
-  if (function == "align") return values_of(registration_options(), RegistrationOptions{});
-  if (function == "odometry") return values_of(odometry_options(), OdometryOptions{});
-  if (function == "evaluate") return values_of(evaluation_options(), EvaluationOptions{});
+// made(options) of the options that a function takes.
+template <typename Make>
+py::dict of_options(const std::string& function, const Make& made) {
+  if (function == "align") return made(RegistrationOptions{});
+  if (function == "odometry") return made(OdometryOptions{});
+  if (function == "evaluate") return made(EvaluationOptions{});
   throw std::invalid_argument("default_options: expected align, odometry or evaluate, found '" + function + "'");
+}
+
+py::dict default_options(const std::string& function) {
+  return of_options(function, [](const auto& options) { return values_of(options); });
+}
+
+py::dict option_types(const std::string& function) {
+  return of_options(function, [](const auto& options) { return types_of(options); });
 }
 
 // All that has a name of its own, for `from augicp import *`.
@@ -50,9 +61,11 @@ void bind_all(py::module_& module) {
   bind_surface(module);
   bind_files(module);
   bind_sequence(module);
+  bind_frame(module);
   bind_odometry(module);
   bind_evaluate(module);
   module.def("default_options", &default_options, py::arg("function") = "align", kDefaultsDoc);
+  module.def("_option_types", &option_types, "The same with the type of each, as the stub has it.");
 }
 
 }  // namespace

@@ -211,6 +211,13 @@ class CommandTest(unittest.TestCase):
         config.write_text("[align]\nmehtod = \"gicp\"\n")
         self.assertEqual(run(*words).returncode, 2)
 
+    def test_every_option_in_the_json_has_its_flag(self):
+        text = run("align", "--help").stdout
+        options = self.align("--max-angle-deg", 45)["options"]
+        self.assertEqual(round(options["max_angle_deg"], 9), 45)
+        for name in options:
+            self.assertIn("--" + name.removesuffix("_chi2").replace("_", "-"), text)
+
     def test_initial_guess_is_taken(self):
         near = self.align("--no-search", "--initial", ROOM / "T_target_source.txt", "--max-iterations", 50)
         self.assertLess(near["iterations"], self.align("--no-search")["iterations"])

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(sys.argv[1])
 NUM_ROWS = 18
-TESTS = ("src/augicp/*/*_test.cpp", "tests/*.py", "python/tests/*.py")
+TESTS = ("src/augicp/*/*_test.cpp", "tests/*.py", "python/**/*_test.py")
 MENTION = re.compile(r"robustness ?(\d+)(?: to (\d+))?((?:, ?\d+)*)", re.IGNORECASE)
 TABLE_ROW = re.compile(r"^\| (\d+) \|(.*)\|$", re.MULTILINE)
 

@@ -4,20 +4,19 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <numbers>
 #include <system_error>
 
-#include "apps/augicp/command/beyond_paper.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
-#include "apps/augicp/command/words.h"
+#include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/align_page.h"
 #include "apps/augicp/text/align.h"
 #include "augicp/io/transform_file.h"
 #include "augicp/io/write_cloud.h"
+#include "augicp/registration/option_table.h"
 
 namespace augicp::app {
 namespace {
@@ -26,7 +25,6 @@ struct AlignArguments {
   std::string source, target, source_image, target_image, initial, transform, output, json, page;
   InputOptions input;
   RegistrationOptions registration;
-  double max_angle_deg = RegistrationOptions{}.max_angle * 180.0 / std::numbers::pi;
   bool trace = false, quiet = false;
 };
 
@@ -81,8 +79,7 @@ ExitCode exit_code_for(AlignStatus status) {
   }
 }
 
-int run_align(AlignArguments arguments) {
-  arguments.registration.max_angle = arguments.max_angle_deg * std::numbers::pi / 180.0;
+int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd"});
   const AlignRun run = register_files(arguments);
@@ -100,38 +97,11 @@ int run_align(AlignArguments arguments) {
 }
 
 void add_method_options(CLI::App& command, AlignArguments& arguments) {
-  RegistrationOptions& options = arguments.registration;
-  const std::string group = "Method";
-  command.add_option("--preset", options.preset, "default, or paper: the source to the letter (Table 2)")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
-      ->group(group);
-  command.add_option("--method", options.method, "What is minimised (default augmented)")
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
-      ->group(group);
-  command
-      .add_option("--association", options.association,
-                  "How pairs are found (default auto: projective for depth images)")
-      ->transform(CLI::CheckedTransformer(kAssociations).description("{auto,projective,nearest}"))
-      ->group(group);
   command
       .add_option("--initial", arguments.initial,
                   "Guess of T_target_source: a file, or \"tx ty tz qx qy qz qw\" (default: identity)")
-      ->group(group);
-  command.add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")
-      ->group(group);
-  command.add_option("--voxel-size", options.voxel_size, "Thins clouds, metres (default: derived)")->group(group);
-  command.add_option("--max-distance", options.max_distance, "Farther pairs are dropped, metres (default: derived)")
-      ->group(group);
-  command.add_option("--max-angle-deg", arguments.max_angle_deg, "Pairs whose directions differ by more are dropped")
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--max-iterations", options.max_iterations)->capture_default_str()->group(group);
-  command.add_option("--min-step", options.min_step, "Smaller steps end it: part of the extent, radians; 0: never")
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--threads", options.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()
-      ->group(group);
+      ->group(std::string(option_group::kMethod));
+  add_all_options(command, arguments.registration);
 }
 
 void add_output_options(CLI::App& command, AlignArguments& arguments) {
@@ -166,8 +136,6 @@ void add_align_command(CLI::App& app, int& exit_code) {
       ->group("Input");
   command->add_option("--target-image", arguments->target_image, "The same for the target")->group("Input");
   add_method_options(*command, *arguments);
-  add_beyond_paper(*command, arguments->registration);
-  add_intensity(*command, arguments->registration);
   add_output_options(*command, *arguments);
   command->footer(
       "The result T_target_source maps source coordinates into the target frame.\n"

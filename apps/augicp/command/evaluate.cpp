@@ -9,9 +9,10 @@
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/output.h"
-#include "apps/augicp/command/words.h"
+#include "apps/augicp/command/table_options.h"
 #include "apps/augicp/text/evaluation.h"
 #include "augicp/core/error.h"
+#include "augicp/eval/option_table.h"
 #include "augicp/io/trajectory_file.h"
 
 namespace augicp::app {
@@ -52,42 +53,6 @@ int run_evaluate(const EvaluateArguments& arguments) {
   return kSuccess;
 }
 
-void add_matching_options(CLI::App& command, EvaluationOptions& options) {
-  const std::string group = "Matching";
-  command
-      .add_option("--max-difference", options.association.max_difference_s,
-                  "Stamps farther apart are not one moment, seconds")
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--time-offset", options.association.time_offset_s, "Added to the estimate's stamps, seconds")
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--truth", options.truth,
-                  "The true pose: nearest in time, or interpolated at the estimate's stamp (default nearest)")
-      ->transform(CLI::CheckedTransformer(kTruthReadings).description("{nearest,interpolated}"))
-      ->group(group);
-}
-
-void add_error_options(CLI::App& command, EvaluationOptions& options) {
-  const std::string group = "Errors";
-  command
-      .add_option("--align", options.alignment,
-                  "How the estimate is laid on the truth for the second ATE (default rigid)")
-      ->transform(CLI::CheckedTransformer(kAlignments).description("{none,origin,rigid,similarity}"))
-      ->group(group);
-  command.add_option("--delta", options.delta.delta, "RPE compares poses so far apart")
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--unit", options.delta.unit, "What --delta counts (default frames: matched poses)")
-      ->transform(CLI::CheckedTransformer(kDeltaUnits).description("{frames,seconds,metres}"))
-      ->group(group);
-  command
-      .add_flag("--consecutive", options.delta.consecutive,
-                "RPE pairs follow one another (default: one from every pose)")
-      ->group(group);
-}
-
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, int& exit_code) {
@@ -97,8 +62,7 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("groundtruth,--groundtruth", arguments->truth, "The true trajectory, in the same form")
       ->required();
-  add_matching_options(*command, arguments->options);
-  add_error_options(*command, arguments->options);
+  add_all_options(*command, arguments->options);
   command->add_option("--json", arguments->json, "Write all results as JSON to a file, or to stdout with -")
       ->group("Output");
   command->add_flag("--quiet", arguments->quiet, "Print nothing but errors")->group("Output");

@@ -4,25 +4,23 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
-#include "apps/augicp/command/beyond_paper.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/experiment_output.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/output.h"
-#include "apps/augicp/command/words.h"
+#include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/experiment_charts.h"
 #include "apps/augicp/page/experiment_page.h"
 #include "apps/augicp/text/experiment.h"
+#include "augicp/core/angles.h"
 #include "augicp/core/error.h"
 #include "augicp/io/transform_file.h"
+#include "augicp/registration/option_table.h"
 
 namespace augicp::app {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct BasinArguments {
   std::string source, target, truth;
@@ -45,13 +43,13 @@ Rigid3 truth_of(const Scan& source, const Scan& target, const BasinArguments& ar
 int run(BasinArguments arguments) {
   BasinOptions& options = arguments.options;
   options.angles_rad = arguments.angles_deg;
-  for (double& angle : options.angles_rad) angle *= kDegree;
+  for (double& angle : options.angles_rad) angle *= kRadPerDeg;
   options.check();
   const Scan source = read_input(arguments.source, arguments.input).scan;
   const Scan target = read_input(arguments.target, arguments.input).scan;
   options.limit = basin_limit(source, target, options);
   if (arguments.limit) options.limit->translation = *arguments.limit;
-  if (arguments.limit_deg) options.limit->rotation = *arguments.limit_deg * kDegree;
+  if (arguments.limit_deg) options.limit->rotation = *arguments.limit_deg * kRadPerDeg;
   const Rigid3 truth = truth_of(source, target, arguments);
   ProgressBar bar(options.angles_rad.size() * options.distances.size() * options.num_starts, "starts",
                   arguments.output.progress);
@@ -66,8 +64,8 @@ int run(BasinArguments arguments) {
   return kSuccess;
 }
 
-void add_options(CLI::App& command, BasinArguments& arguments) {
-  const std::string starts = "Starts", method = "Method";
+void add_basin_options(CLI::App& command, BasinArguments& arguments) {
+  const std::string starts = "Starts";
   BasinOptions& options = arguments.options;
   command
       .add_option("--truth", arguments.truth,
@@ -85,20 +83,9 @@ void add_options(CLI::App& command, BasinArguments& arguments) {
   command.add_option("--limit", arguments.limit, "Success is nearer to the truth, metres (default: the ball's radius)")
       ->group(starts);
   command.add_option("--limit-deg", arguments.limit_deg, "And within this angle (default 2)")->group(starts);
-  RegistrationOptions& registration = options.registration;
-  command.add_option("--preset", registration.preset, "default or paper")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
-      ->group(method);
-  command.add_option("--method", registration.method, "What is minimised (default augmented)")
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
-      ->group(method);
-  command.add_option("--max-iterations", registration.max_iterations)->capture_default_str()->group(method);
-  command
-      .add_option("--max-distance", registration.max_distance, "Farther pairs are dropped, metres (default: derived)")
-      ->group(method);
-  command.add_option("--threads", registration.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()
-      ->group(method);
+  add_options(command, options.registration,
+              {"preset", "method", "max_distance", "max_iterations", "threads", "search", "coarse_to_fine",
+               "rolling_shutter", "intensity"});
 }
 
 }  // namespace
@@ -110,9 +97,7 @@ void add_basin_experiment(CLI::App& experiment, int& exit_code) {
   command->add_option("source,--source", arguments->source, "The moving cloud or depth image")->required();
   command->add_option("target,--target", arguments->target, "The fixed one")->required();
   add_input_options(*command, arguments->input);
-  add_options(*command, *arguments);
-  add_beyond_paper(*command, arguments->options.registration);
-  add_intensity(*command, arguments->options.registration);
+  add_basin_options(*command, *arguments);
   add_experiment_output(*command, arguments->output);
   command->footer(
       "CSV: share of starts that end at the truth, and mean iterations, for each angle and distance. The mean of the "

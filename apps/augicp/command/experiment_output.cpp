@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/augicp/command/experiment_output.h"
 
-#include "apps/augicp/command/words.h"
+#include "apps/augicp/command/choice.h"
 
 namespace augicp::app {
 
@@ -14,7 +14,7 @@ void add_experiment_output(CLI::App& command, ExperimentOutput& output) {
       .add_option("--report", output.page, "Write a page to look at: one HTML file with the curves, needs no network")
       ->group(group);
   command.add_option("--progress", output.progress, "A bar on the terminal: auto or none (default auto)")
-      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))
+      ->transform(choice<Progress>())
       ->group(group);
 }
 

@@ -4,27 +4,24 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <map>
 #include <memory>
 #include <stdexcept>
 
-#include "apps/augicp/command/beyond_paper.h"
+#include "apps/augicp/command/choice.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/experiment_output.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/output.h"
-#include "apps/augicp/command/words.h"
+#include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/experiment_charts.h"
 #include "apps/augicp/page/experiment_page.h"
 #include "apps/augicp/text/experiment.h"
 #include "augicp/core/error.h"
 #include "augicp/io/parse_number.h"
+#include "augicp/registration/option_table.h"
 
 namespace augicp::app {
 namespace {
-
-const std::map<std::string, Surroundings> kSurroundings{
-    {"window", Surroundings::Window}, {"square", Surroundings::Square}, {"ball", Surroundings::Ball}};
 
 constexpr const char* kAuto = "auto";
 
@@ -113,37 +110,18 @@ void add_method(CLI::App& command, SequenceOptions& options) {
   const std::string group = "Method";
   command.add_option("--presets", options.presets, "Any of default,paper (default both)")
       ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->transform(choice<Preset>())
       ->group(group);
   command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")
       ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->transform(choice<Method>())
       ->group(group);
   command
       .add_option("--surroundings", options.surroundings,
                   "Surfaces from: window of 3D size (default), square of pixels as in the paper, exact ball (slow)")
-      ->transform(CLI::CheckedTransformer(kSurroundings).description("{window,square,ball}"))
-      ->group(group);
-  RegistrationOptions& registration = options.registration;
-  command.add_option("--radius", registration.radius, "Ball for surface statistics, metres (default: derived)")
+      ->transform(choice<Surroundings>())
       ->group(group);
   command.add_option("--iterations", options.iterations, "Exactly so many")->capture_default_str()->group(group);
-  command.add_option("--threads", registration.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()
-      ->group(group);
-}
-
-// A row of the paper's table with one thing changed.
-void add_overrides(CLI::App& command, RegistrationOptions& registration) {
-  const std::string group = "Instead of what the presets choose";
-  command.add_option("--kernel", registration.kernel_chi2, "K of Eq. (13), in units of chi2")->group(group);
-  command.add_option("--lever", registration.lever, "How directions weigh beside positions, metres; 1: Table 2")
-      ->group(group);
-  command.add_option("--damping", registration.damping, "lambda of Eq. (10), as a part of H's mean diagonal")
-      ->group(group);
-  command.add_option("--classifier", registration.classifier, "Structure from normals or from the points' eigenvalues")
-      ->transform(CLI::CheckedTransformer(kClassifiers).description("{normals,eigenvalues}"))
-      ->group(group);
 }
 
 }  // namespace
@@ -156,8 +134,9 @@ void add_sequence_experiment(CLI::App& experiment, int& exit_code) {
       ->required();
   add_input(*command, *arguments);
   add_method(*command, arguments->options);
-  add_overrides(*command, arguments->options.registration);
-  add_beyond_paper(*command, arguments->options.registration);
+  add_options(*command, arguments->options.registration,
+              {"radius", "threads", "classifier", "kernel_chi2", "lever", "damping", "search", "coarse_to_fine",
+               "rolling_shutter"});
   add_experiment_output(*command, arguments->output);
   command->add_option("--curves", arguments->curves, "Write the errors of every single registration as CSV")
       ->group("Output");

@@ -3,20 +3,18 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 
+#include "apps/augicp/command/choice.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/experiment_output.h"
 #include "apps/augicp/command/output.h"
-#include "apps/augicp/command/words.h"
 #include "apps/augicp/page/experiment_charts.h"
 #include "apps/augicp/page/experiment_page.h"
 #include "apps/augicp/text/experiment.h"
+#include "augicp/core/angles.h"
 
 namespace augicp::app {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct SyntheticArguments {
   SyntheticOptions options;
@@ -29,7 +27,7 @@ int run(SyntheticArguments arguments) {
   options.outlier_shares = arguments.outliers_percent;
   for (double& share : options.outlier_shares) share /= 100.0;
   options.normal_noises_rad = arguments.normal_noises_deg;
-  for (double& angle : options.normal_noises_rad) angle *= kDegree;
+  for (double& angle : options.normal_noises_rad) angle *= kRadPerDeg;
   options.check();
   ProgressBar bar(num_runs(options), "scenes", arguments.output.progress);
   const std::vector<SyntheticRow> rows = run_synthetic(options, [&] { bar.advance(); });
@@ -62,10 +60,10 @@ void add_options(CLI::App& command, SyntheticArguments& arguments) {
   command.add_option("--seed", options.first_seed, "The first of them")->capture_default_str()->group(scene);
   command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")
       ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
+      ->transform(choice<Method>())
       ->group(method);
   command.add_option("--preset", options.preset, "paper or default (default paper)")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
+      ->transform(choice<Preset>())
       ->group(method);
   command
       .add_option("--kernel", options.kernel_chi2,

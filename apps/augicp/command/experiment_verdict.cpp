@@ -6,14 +6,15 @@
 #include <memory>
 #include <stdexcept>
 
-#include "apps/augicp/command/beyond_paper.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/experiment_output.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/output.h"
+#include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/experiment_charts.h"
 #include "apps/augicp/page/experiment_page.h"
 #include "apps/augicp/text/verdict.h"
+#include "augicp/registration/option_table.h"
 
 namespace augicp::app {
 namespace {
@@ -84,10 +85,7 @@ void add_verdict_experiment(CLI::App& experiment, int& exit_code) {
       ->group("Input");
   command->add_flag("--as-clouds", options.as_clouds, "Forget the cameras: bare points, nearest neighbours")
       ->group("Method");
-  command->add_option("--threads", options.registration.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()
-      ->group("Method");
-  add_beyond_paper(*command, options.registration);
+  add_options(*command, options.registration, {"threads", "search", "coarse_to_fine", "rolling_shutter"});
   add_experiment_output(*command, arguments->output);
   command->add_option("--table", arguments->table, "Write the confusion table to a file (default: stdout)")
       ->group("Output");

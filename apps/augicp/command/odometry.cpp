@@ -10,18 +10,20 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "apps/augicp/command/choice.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
-#include "apps/augicp/command/words.h"
+#include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/kept.h"
 #include "apps/augicp/page/odometry_page.h"
 #include "apps/augicp/text/odometry.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/depth_sequence.h"
 #include "augicp/io/trajectory_file.h"
+#include "augicp/odometry/option_table.h"
 #include "augicp/odometry/track.h"
 
 namespace augicp::app {
@@ -189,9 +191,6 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
       .add_option("--readout", arguments.readout_s,
                   "Rolling shutter: seconds from the first row to the last (default: the camera's; 0: none)")
       ->group(group);
-  command
-      .add_option("--max-depth", arguments.odometry.range.max, "Farther readings are not used, metres (default: none)")
-      ->group(group);
   command.add_option("--rate", arguments.frames_per_s, "Frames a second where the folder has no time stamps")
       ->capture_default_str()
       ->group(group);
@@ -206,24 +205,9 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
 }
 
 void add_method_options(CLI::App& command, OdometryOptions& options) {
-  const std::string group = "Method";
-  command.add_option("--reference", options.reference, "What a frame is registered to")
-      ->default_str("model")
-      ->transform(CLI::CheckedTransformer(kReferences).description("{model,previous}"))
-      ->group(group);
-  command.add_option("--method", options.registration.method, "What is minimised")
-      ->default_str("augmented")
-      ->transform(CLI::CheckedTransformer(kMethods).description("{augmented,gicp,plane,point}"))
-      ->group(group);
-  command
-      .add_option("--pixel-step", options.pixel_step,
-                  "Use every so many pixels of every so many rows; 0: as leaves 160 columns")
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--max-iterations", options.registration.max_iterations)->capture_default_str()->group(group);
-  command.add_option("--threads", options.registration.num_threads, "0: all; the result is the same for any number")
-      ->capture_default_str()
-      ->group(group);
+  add_options(command, options,
+              {"reference", "pixel_step", "min_depth", "max_depth", "min_overlap", "keyframe_overlap", "max_strain",
+               "max_lost", "max_extrapolation_s", "method", "max_iterations", "threads"});
 }
 
 void add_output_options(CLI::App& command, OdometryArguments& arguments) {
@@ -240,7 +224,7 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
       ->group(group);
   command.add_option("--progress", arguments.progress, "A bar with the frame rate on stderr, if that is a terminal")
       ->default_str("auto")
-      ->transform(CLI::CheckedTransformer(kProgress).description("{auto,none}"))
+      ->transform(choice<Progress>())
       ->group(group);
   command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
 }

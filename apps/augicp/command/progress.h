@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "augicp/core/words.h"
+
 namespace augicp::app {
 
 // Milliseconds since it was made.
@@ -19,6 +21,15 @@ class Stopwatch {
 };
 
 enum class Progress { Auto, None };
+}  // namespace augicp::app
+
+namespace augicp {
+template <>
+inline constexpr auto kWords<app::Progress> = std::to_array<Word<app::Progress>>({{app::Progress::Auto, "auto"},
+                                                                                  {app::Progress::None, "none"}});
+}  // namespace augicp
+
+namespace augicp::app {
 
 // A bar on stderr with the share done, the rate and the time left. Nothing where stderr is not a terminal or Progress
 // is None.

@@ -9,9 +9,10 @@
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/interruption.h"
-#include "apps/augicp/command/words.h"
+#include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
 #include "augicp/io/write_cloud.h"
+#include "augicp/registration/option_table.h"
 #include "augicp/registration/registration.h"
 
 namespace augicp::app {
@@ -66,20 +67,13 @@ int run_surface(const SurfaceArguments& arguments) {
 
 void add_surface_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<SurfaceArguments>();
-  RegistrationOptions& options = arguments->registration;
   CLI::App* command =
       app.add_subcommand("surface", "Write the extended points: normals, tangents, structure as colour");
   command->add_option("input", arguments->input_file, "A cloud or a depth image")->required();
   command->add_option("--output", arguments->output, "The .ply to write")->required()->group("Output");
   command->add_flag("--quiet", arguments->quiet, "Print nothing but errors")->group("Output");
   add_input_options(*command, arguments->input);
-  command->add_option("--preset", options.preset, "default, or paper: structure from the points' eigenvalues alone")
-      ->transform(CLI::CheckedTransformer(kPresets).description("{default,paper}"))
-      ->group("Method");
-  command->add_option("--radius", options.radius, "Ball for surface statistics, metres (default: derived)")
-      ->group("Method");
-  command->add_option("--voxel-size", options.voxel_size, "Thins clouds, metres (default: derived)")->group("Method");
-  command->add_option("--threads", options.num_threads, "0: all")->capture_default_str()->group("Method");
+  add_options(*command, arguments->registration, {"preset", "radius", "voxel_size", "threads"});
   command->footer(
       "Colours: planar blue, edge orange, none grey. Normals point to the sensor where it is known.\n"
       "Examples:\n"

@@ -4,16 +4,14 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "apps/augicp/page/clouds.h"
 #include "apps/augicp/page/parts.h"
 #include "apps/augicp/page/verdict.h"
+#include "augicp/core/angles.h"
 
 namespace augicp::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::vector<Rigid3> poses_of(const AlignPicture& picture) {
   std::vector<Rigid3> poses{picture.initial};
@@ -27,7 +25,7 @@ struct Step {
 };
 
 Step step_between(const Rigid3& before, const Rigid3& after, const Vec3d& middle) {
-  return {(after * middle - before * middle).norm(), kDegrees * angle_between(before, after)};
+  return {(after * middle - before * middle).norm(), kDegPerRad * angle_between(before, after)};
 }
 
 std::vector<Step> steps_of(const AlignPicture& picture) {
@@ -111,7 +109,7 @@ std::string align_page(const AlignPicture& picture) {
   std::string side = section_html("Verdict", verdict_html(report.result));
   side += section_html("T_target_source", matrix_html(report.result.target_from_source));
   side += section_html("Convergence", figures_html(charts));
-  side += details_html("Options", html_list(effective_options(report)));
+  side += details_html("Options", html_list(options_texts(effective_options(report))));
   const std::string body =
       "<main class=\"staged\">\n<div id=\"stage\"></div>\n<div class=\"side\">\n" + side + "</div>\n</main>\n";
   const PageHead head{"Alignment",

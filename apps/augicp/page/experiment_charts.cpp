@@ -3,14 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <numbers>
-
-#include "augicp/registration/words.h"
+#include "augicp/core/angles.h"
 
 namespace augicp::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 // The chart with this title, made like the given one where there is none yet.
 Chart& chart_called(Quantity& quantity, Chart made) {
@@ -43,13 +39,13 @@ std::vector<Quantity> synthetic_quantities(const std::vector<SyntheticRow>& rows
   std::vector<Quantity> quantities{{"Translation error, m", {}}, {"Rotation error, degrees", {}}};
   for (const SyntheticRow& row : rows) {
     const std::string title = fmt::format("{:g} % outliers, {:g} m noise, normals {:g}°", 100.0 * row.outlier_share,
-                                          row.point_noise, kDegrees * row.normal_noise_rad);
+                                          row.point_noise, kDegPerRad * row.normal_noise_rad);
     for (Quantity& quantity : quantities) {
       const bool is_first = &quantity == &quantities.front();
       const MeanInterval& error = is_first ? row.translation : row.rotation;
-      const double unit = is_first ? 1.0 : kDegrees;
+      const double unit = is_first ? 1.0 : kDegPerRad;
       Chart& chart = chart_called(quantity, {title, "iteration", is_first ? "m" : "degrees", true});
-      add(chart, word_for(kMethods, row.method), row.iteration, unit * error.mean,
+      add(chart, std::string(name_of(row.method)), row.iteration, unit * error.mean,
           unit * (error.mean - error.half_width), unit * (error.mean + error.half_width));
     }
   }
@@ -64,15 +60,15 @@ std::vector<Quantity> sequence_quantities(std::span<const SequenceCurve> curves,
                                    {"Narrow success (2 cm, 1°), %", {}}};
   for (const double offset_s : time_offsets_s)
     for (const SequenceRow& row : summarize(curves, truth, offset_s)) {
-      std::string title = fmt::format("gap {}, preset {}", row.gap, word_for(kPresets, row.preset));
+      std::string title = fmt::format("gap {}, preset {}", row.gap, name_of(row.preset));
       if (time_offsets_s.size() > 1) title += fmt::format(", offset {:.1f} ms", 1000.0 * offset_s);
-      const double values[] = {row.translation.mean, kDegrees * row.rotation.mean, 100.0 * row.success,
+      const double values[] = {row.translation.mean, kDegPerRad * row.rotation.mean, 100.0 * row.success,
                                100.0 * row.success_narrow};
       const char* const units[] = {"m", "degrees", "%", "%"};
       for (std::size_t i = 0; i < quantities.size(); ++i) {
         Chart& chart = chart_called(quantities[i], {title, "iteration", units[i], i < 2});
         if (i >= 2) chart.y_range = AxisRange{0.0, 100.0};
-        add(chart, word_for(kMethods, row.method), row.iteration, values[i]);
+        add(chart, std::string(name_of(row.method)), row.iteration, values[i]);
       }
     }
   return quantities;
@@ -84,8 +80,8 @@ std::vector<Quantity> basin_quantities(const std::vector<BasinCell>& cells) {
   success.y_range = AxisRange{0.0, 100.0};
   for (const BasinCell& cell : cells) {
     const std::string name = fmt::format("moved by {:g} m", cell.distance);
-    add(success, name, kDegrees * cell.angle_rad, 100.0 * cell.success);
-    add(iterations, name, kDegrees * cell.angle_rad, cell.mean_iterations);
+    add(success, name, kDegPerRad * cell.angle_rad, 100.0 * cell.success);
+    add(iterations, name, kDegPerRad * cell.angle_rad, cell.mean_iterations);
   }
   return {{"Success", {success}}, {"Iterations", {iterations}}};
 }

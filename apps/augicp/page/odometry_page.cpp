@@ -3,17 +3,14 @@
 
 #include <fmt/core.h>
 
-#include <numbers>
-
 #include "apps/augicp/page/kept.h"
 #include "apps/augicp/page/odometry_view.h"
 #include "apps/augicp/page/parts.h"
 #include "apps/augicp/page/status_strip.h"
+#include "augicp/core/angles.h"
 
 namespace augicp::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double seconds(const OdometryRun& run, double stamp_s) { return stamp_s - run.rows.front().report.stamp_s; }
 
@@ -25,7 +22,7 @@ std::vector<Chart> error_charts(const OdometryPicture& picture) {
   Chart position{"Position error, after alignment", "time, s", "m"}, rotation{"Rotation error", "time, s", "degrees"};
   position.series = {{"position error, m", errors.translation}};
   rotation.series = {{"rotation error, degrees", errors.rotation}};
-  for (double& angle : rotation.series[0].y) angle *= kDegrees;
+  for (double& angle : rotation.series[0].y) angle *= kDegPerRad;
   for (const MatchedPose& pose : poses)
     position.x.push_back(seconds(picture.run, pose.stamp_s - options.association.time_offset_s));
   rotation.x = position.x;
@@ -87,7 +84,7 @@ std::string errors_html(const Evaluation& evaluation) {
   std::vector<std::vector<std::string>> rows;
   const auto add = [&](const std::string& name, const PoseStatistics& errors) {
     rows.push_back(table_row(name + ", m", errors.translation, 1.0));
-    rows.push_back(table_row(name + ", °", errors.rotation, kDegrees));
+    rows.push_back(table_row(name + ", °", errors.rotation, kDegPerRad));
   };
   if (evaluation.aligned) add("ATE aligned", *evaluation.aligned);
   if (evaluation.relative) add("RPE", *evaluation.relative);

@@ -5,12 +5,13 @@
 
 #include <cctype>
 #include <cmath>
-#include <numbers>
+
+#include "apps/augicp/text/options_json.h"
+#include "augicp/core/angles.h"
+#include "augicp/registration/option_table.h"
 
 namespace augicp::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string doubt_text(Doubt doubt, const Evidence& evidence) {
   const VerdictLimits limits;
@@ -67,7 +68,7 @@ void add_evidence(NamedTexts& rows, const Evidence& evidence) {
 void add_deviations(NamedTexts& rows, const Mat6d& covariance) {
   const double translation = std::sqrt(covariance.topLeftCorner<3, 3>().trace());
   const double rotation = std::sqrt(covariance.bottomRightCorner<3, 3>().trace());
-  rows.emplace_back("Standard deviation", fmt::format("{:.2g} m, {:.2g}°", translation, kDegrees * rotation));
+  rows.emplace_back("Standard deviation", fmt::format("{:.2g} m, {:.2g}°", translation, kDegPerRad * rotation));
 }
 
 }  // namespace
@@ -97,17 +98,16 @@ std::string verdict_html(const AlignResult& result) {
   return html + html_list(rows);
 }
 
-NamedTexts effective_options(const AlignReport& report) {
-  const nlohmann::ordered_json options = to_json(report)["options"];
+NamedTexts options_texts(const RegistrationOptions& options) {
   NamedTexts rows;
-  for (const auto& [name, value] : options.items()) {
-    if (name == "threads") continue;  // changes nothing in the result
-    const bool is_length = name == "radius" || name == "voxel_size" || name == "max_distance";
+  for_each_option(options, [&](const OptionText& option, const auto& field) {
+    const nlohmann::ordered_json value = field_json(option.unit, field);
+    if (option.name == "threads" || value.is_null()) return;  // the first changes nothing in the result
     const std::string text = value.is_string()    ? value.get<std::string>()
                              : value.is_boolean() ? (value.get<bool>() ? "on" : "off")
                                                   : fmt::format("{:.6g}", value.get<double>());
-    rows.emplace_back(name, is_length ? text + " m" : text);
-  }
+    rows.emplace_back(outer_name(option), option.unit == Unit::Metres ? text + " m" : text);
+  });
   return rows;
 }
 

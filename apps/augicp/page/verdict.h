@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The verdict on a registration, and the options that took effect, for the page of `augicp align --report`.
+// The verdict on a registration, and options, for the page of `augicp align --report`.
 #pragma once
 
 #include <string>
@@ -15,6 +15,7 @@ std::string verdict_html(const AlignResult& result);
 // How the status is coloured: good, warn or bad.
 std::string badge_class(AlignStatus status);
 
-NamedTexts effective_options(const AlignReport& report);
+// The options that are set, but for the count of threads.
+NamedTexts options_texts(const RegistrationOptions& options);
 
 }  // namespace augicp::app

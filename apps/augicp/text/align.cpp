@@ -3,31 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <numbers>
-
 #include "apps/augicp/text/matrix_json.h"
-#include "augicp/registration/words.h"
+#include "apps/augicp/text/options_json.h"
+#include "augicp/registration/option_table.h"
 
 namespace augicp::app {
 namespace {
-
-nlohmann::ordered_json options_json(const AlignReport& report) {
-  const RegistrationOptions& options = report.options;
-  return {{"preset", word_for(kPresets, options.preset)},
-          {"method", word_for(kMethods, options.method)},
-          {"association", word_for(kAssociations, options.association)},
-          {"radius", report.lengths.radius},
-          {"voxel_size", report.lengths.voxel_size},
-          {"max_distance", report.lengths.max_distance},
-          {"max_angle_deg", options.max_angle * 180.0 / std::numbers::pi},
-          {"search", options.search},
-          {"coarse_to_fine", options.coarse_to_fine},
-          {"rolling_shutter", options.rolling_shutter},
-          {"intensity", options.intensity},
-          {"max_iterations", options.max_iterations},
-          {"min_step", options.min_step},
-          {"threads", options.num_threads}};
-}
 
 nlohmann::ordered_json history_json(const AlignResult& result) {
   nlohmann::ordered_json history = nlohmann::ordered_json::array();
@@ -103,6 +84,14 @@ std::string testimony_text(const char* name, const Testimony& testimony) {
 
 }  // namespace
 
+RegistrationOptions effective_options(const AlignReport& report) {
+  RegistrationOptions options = report.options;
+  options.radius = report.lengths.radius;
+  options.voxel_size = report.lengths.voxel_size;
+  options.max_distance = report.lengths.max_distance;
+  return options;
+}
+
 std::string advice_for(AlignStatus status) {
   switch (status) {
     case AlignStatus::Converged:
@@ -147,7 +136,7 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
   if (result.evidence) json["evidence"] = evidence_json(result);
   if (report.with_history) json["history"] = history_json(result);
   json["version"] = AUGICP_VERSION;
-  json["options"] = options_json(report);
+  json["options"] = options_json(effective_options(report));
   return json;
 }
 

@@ -22,6 +22,9 @@ struct AlignReport {
   bool with_history = false;
 };
 
+// The options as they took effect, with the lengths that were derived.
+RegistrationOptions effective_options(const AlignReport& report);
+
 // The JSON of `augicp align`; see docs/conventions.md.
 nlohmann::ordered_json to_json(const AlignReport& report);
 

@@ -3,20 +3,19 @@
 
 #include <fmt/core.h>
 
-#include <numbers>
-
 #include "apps/augicp/text/matrix_json.h"
-#include "augicp/eval/words.h"
+#include "apps/augicp/text/options_json.h"
+#include "augicp/core/angles.h"
+#include "augicp/eval/option_table.h"
 
 namespace augicp::app {
 namespace {
 
 Statistics in_degrees(Statistics statistics) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   for (double Statistics::*field : {&Statistics::rmse, &Statistics::mean, &Statistics::median, &Statistics::std,
                                     &Statistics::min, &Statistics::max})
-    statistics.*field *= kDegrees;
-  statistics.sse *= kDegrees * kDegrees;
+    statistics.*field *= kDegPerRad;
+  statistics.sse *= kDegPerRad * kDegPerRad;
   return statistics;
 }
 
@@ -39,14 +38,6 @@ nlohmann::ordered_json alignment_json(const Evaluation& evaluation) {
           {"unique", evaluation.alignment.unique}};
 }
 
-nlohmann::ordered_json options_json(const EvaluationOptions& options) {
-  return {
-      {"align", word_for(kAlignments, options.alignment)},        {"delta", options.delta.delta},
-      {"unit", word_for(kDeltaUnits, options.delta.unit)},        {"consecutive", options.delta.consecutive},
-      {"max_difference_s", options.association.max_difference_s}, {"time_offset_s", options.association.time_offset_s},
-      {"truth", word_for(kTruthReadings, options.truth)}};
-}
-
 std::string row(const std::string& name, const Statistics& s) {
   return fmt::format("{:<24} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f} {:>10.6f}\n", name, s.rmse, s.mean,
                      s.median, s.std, s.min, s.max);
@@ -58,7 +49,7 @@ std::string rows(const std::string& name, const PoseStatistics& errors) {
 
 std::string alignment_text(const Evaluation& evaluation) {
   const double scale = evaluation.alignment.target_from_source.scale;
-  std::string text = word_for(kAlignments, evaluation.options.alignment);
+  std::string text(name_of(evaluation.options.alignment));
   if (evaluation.options.alignment == Alignment::Similarity) text += fmt::format(", scale {:.6g}", scale);
   if (!evaluation.alignment.unique)
     text +=
@@ -69,7 +60,7 @@ std::string alignment_text(const Evaluation& evaluation) {
 
 std::string relative_text(const Evaluation& evaluation) {
   const DeltaOptions& options = evaluation.options.delta;
-  const std::string delta = fmt::format("{:g} {}", options.delta, word_for(kDeltaUnits, options.unit));
+  const std::string delta = fmt::format("{:g} {}", options.delta, name_of(options.unit));
   if (!evaluation.relative) return fmt::format("relative   no two matched poses are {} apart\n", delta);
   return fmt::format("relative   over {}, {} pairs{}\n", delta, evaluation.relative->translation.count,
                      options.consecutive ? ", one after the other" : "");

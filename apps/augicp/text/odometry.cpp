@@ -4,16 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "apps/augicp/text/evaluation.h"
 
 namespace augicp::app {
 namespace {
-
-constexpr std::array kStatuses{FrameStatus::Started,    FrameStatus::Tracked,   FrameStatus::Degenerate,
-                               FrameStatus::Doubtful,   FrameStatus::Lost,      FrameStatus::NoReadings,
-                               FrameStatus::OutOfOrder, FrameStatus::Unreadable};
 
 std::size_t num_with(const OdometryRun& run, FrameStatus status) {
   return static_cast<std::size_t>(std::count_if(run.rows.begin(), run.rows.end(),
@@ -41,9 +36,9 @@ std::string in_csv(const std::string& text) {
 
 std::string counts_text(const OdometryRun& run) {
   std::string text;
-  for (const FrameStatus status : kStatuses)
+  for (const auto& [status, word] : kWords<FrameStatus>)
     if (const std::size_t count = num_with(run, status); count > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(status));
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
   return text;
 }
 
@@ -81,7 +76,7 @@ nlohmann::ordered_json metrics_json(const OdometryRun& run) {
                               {"layout", run.layout},
                               {"num_frames", run.rows.size()},
                               {"num_poses", trajectory_of(run).size()}};
-  for (const FrameStatus status : kStatuses) json["num_" + std::string(name_of(status))] = num_with(run, status);
+  for (const auto& [status, word] : kWords<FrameStatus>) json["num_" + std::string(word)] = num_with(run, status);
   json["timing_ms"] = {{"total", run.total_ms}, {"median_frame", median_time_ms(run)}};
   json["frames_per_s"] = frames_per_s(run);
   if (run.evaluation) json["evaluation"] = evaluation_json(*run.evaluation);

@@ -1,17 +1,41 @@
 // SPDX-License-Identifier: MIT
+// The words of enumerators: one table an enumeration, read by the command, its files, and Python.
 #pragma once
 
-#include <map>
-#include <string>
+#include <array>
+#include <optional>
+#include <string_view>
 
 namespace augicp {
 
-// The word of a value in a table; empty if the table lacks the value.
 template <typename Value>
-std::string word_for(const std::map<std::string, Value>& words, Value value) {
-  for (const auto& [word, meaning] : words)
-    if (meaning == value) return word;
+struct Word {
+  Value value;
+  std::string_view word;  // lower case, with underscores
+};
+
+// All words of an enumeration. Each enumeration that has words specialises it, below its declaration, with a
+// std::array<Word<Value>, N> in the order of its enumerators.
+template <typename Value>
+inline constexpr std::array<Word<Value>, 0> kWords{};
+
+template <typename Value>
+concept HasWords = !kWords<Value>.empty();
+
+// The word of an enumerator; empty for a value that is none.
+template <HasWords Value>
+constexpr std::string_view name_of(Value value) {
+  for (const auto& [known, word] : kWords<Value>)
+    if (known == value) return word;
   return {};
+}
+
+// The enumerator of a word, if there is one.
+template <HasWords Value>
+constexpr std::optional<Value> value_of(std::string_view word) {
+  for (const auto& [value, known] : kWords<Value>)
+    if (known == word) return value;
+  return std::nullopt;
 }
 
 }  // namespace augicp

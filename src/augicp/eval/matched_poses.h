@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "augicp/core/words.h"
 #include "augicp/eval/association.h"
 
 namespace augicp {
@@ -12,6 +13,9 @@ enum class TruthReading {
   Nearest,       // its pose of the nearest stamp, see associate()
   Interpolated,  // between two of its poses at most twice max_difference_s apart, see pose_at()
 };
+template <>
+inline constexpr auto kWords<TruthReading> = std::to_array<Word<TruthReading>>(
+    {{TruthReading::Nearest, "nearest"}, {TruthReading::Interpolated, "interpolated"}});
 
 // The estimated and the true pose of a moment. Each is world_from_camera; the two worlds may differ.
 struct MatchedPose {

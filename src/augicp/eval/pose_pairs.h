@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "augicp/core/words.h"
 #include "augicp/eval/matched_poses.h"
 
 namespace augicp {
@@ -14,6 +15,10 @@ enum class DeltaUnit {
   Seconds,  // difference of the estimate's stamps
   Metres,   // length of the true path between the matched poses
 };
+template <>
+inline constexpr auto kWords<DeltaUnit> = std::to_array<Word<DeltaUnit>>({{DeltaUnit::Frames, "frames"},
+                                                                          {DeltaUnit::Seconds, "seconds"},
+                                                                          {DeltaUnit::Metres, "metres"}});
 
 // The distance of the two poses of a relative error.
 struct DeltaOptions {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "augicp/core/words.h"
 #include "augicp/eval/pose_pairs.h"
 #include "augicp/eval/rigid_fit.h"
 
@@ -18,6 +19,11 @@ enum class Alignment {
   Rigid,       // least squares over the positions of all poses
   Similarity,  // the same with a scale, for estimates of unknown scale
 };
+template <>
+inline constexpr auto kWords<Alignment> = std::to_array<Word<Alignment>>({{Alignment::None, "none"},
+                                                                          {Alignment::Origin, "origin"},
+                                                                          {Alignment::Rigid, "rigid"},
+                                                                          {Alignment::Similarity, "similarity"}});
 
 // The motion from the estimate's world to the true one. Throws std::invalid_argument for no poses; see also fit_rigid.
 RigidFit align_to_truth(std::span<const MatchedPose> poses, Alignment alignment);

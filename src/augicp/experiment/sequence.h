@@ -16,6 +16,10 @@ enum class Surroundings {
   Square,  // see SquareNeighbourhood
   Ball,    // see ExactWindowNeighbourhood; slow
 };
+template <>
+inline constexpr auto kWords<Surroundings> = std::to_array<Word<Surroundings>>({{Surroundings::Window, "window"},
+                                                                                {Surroundings::Square, "square"},
+                                                                                {Surroundings::Ball, "ball"}});
 
 struct SequenceOptions {
   std::vector<std::size_t> gaps{1, 10, 20};  // frames from target to source, each at least 1

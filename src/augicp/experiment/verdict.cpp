@@ -140,11 +140,6 @@ void VerdictOptions::check() const {
   registration.check();
 }
 
-std::string_view name_of(PairTruth truth) {
-  constexpr std::array<std::string_view, 5> kNames{"apart", "wrong", "near", "right_little_overlap", "right"};
-  return kNames[static_cast<std::size_t>(truth)];
-}
-
 std::size_t num_pairs(std::span<const VerdictSequence> sequences, const VerdictOptions& options) {
   std::size_t count = sequences.size() > 1 ? options.num_across : 0;
   for (const VerdictSequence& in : sequences)

@@ -56,7 +56,13 @@ enum class PairTruth {
   RightLittle,  // right, with little overlap
   Right,
 };
-std::string_view name_of(PairTruth truth);
+template <>
+inline constexpr auto kWords<PairTruth> = std::to_array<Word<PairTruth>>({{PairTruth::Apart, "apart"},
+                                                                          {PairTruth::Wrong, "wrong"},
+                                                                          {PairTruth::Near, "near"},
+                                                                          {PairTruth::RightLittle,
+                                                                           "right_little_overlap"},
+                                                                          {PairTruth::Right, "right"}});
 
 struct VerdictPair {
   std::string target_sequence, source_sequence;

@@ -90,12 +90,6 @@ void OdometryOptions::check() const {
   require_not_negative("max_extrapolation_s", max_extrapolation_s);
 }
 
-std::string_view name_of(FrameStatus status) {
-  constexpr std::array<std::string_view, 8> kNames{"started", "tracked",     "degenerate",   "doubtful",
-                                                   "lost",    "no_readings", "out_of_order", "unreadable"};
-  return kNames[static_cast<std::size_t>(status)];
-}
-
 bool has_pose(FrameStatus status) {
   return status == FrameStatus::Started || status == FrameStatus::Tracked || status == FrameStatus::Degenerate ||
          status == FrameStatus::Doubtful;

@@ -6,8 +6,8 @@
 
 #include <optional>
 #include <stop_token>
-#include <string_view>
 
+#include "augicp/core/words.h"
 #include "augicp/geometry/trajectory.h"
 #include "augicp/odometry/local_model.h"
 #include "augicp/registration/registration.h"
@@ -19,6 +19,9 @@ enum class Reference {
   Model,          // what the frames since some keyframe saw, averaged (local_model.h): the least drift
   PreviousFrame,  // the last tracked frame
 };
+template <>
+inline constexpr auto kWords<Reference> = std::to_array<Word<Reference>>({{Reference::Model, "model"},
+                                                                          {Reference::PreviousFrame, "previous"}});
 
 // Options of registration for frames that follow one another closely: see odometry.cpp for the reasons.
 RegistrationOptions tracking_options();
@@ -62,7 +65,15 @@ enum class FrameStatus {
   OutOfOrder,  // not after the frame before: ignored, no pose
   Unreadable,  // the image could not be used, see FrameReport::problem: no pose
 };
-std::string_view name_of(FrameStatus status);
+template <>
+inline constexpr auto kWords<FrameStatus> = std::to_array<Word<FrameStatus>>({{FrameStatus::Started, "started"},
+                                                                              {FrameStatus::Tracked, "tracked"},
+                                                                              {FrameStatus::Degenerate, "degenerate"},
+                                                                              {FrameStatus::Doubtful, "doubtful"},
+                                                                              {FrameStatus::Lost, "lost"},
+                                                                              {FrameStatus::NoReadings, "no_readings"},
+                                                                              {FrameStatus::OutOfOrder, "out_of_order"},
+                                                                              {FrameStatus::Unreadable, "unreadable"}});
 
 // Whether a frame of this status has a pose.
 bool has_pose(FrameStatus status);

@@ -3,9 +3,9 @@
 
 #include <optional>
 #include <stop_token>
-#include <string_view>
 
 #include "augicp/align/align.h"
+#include "augicp/core/words.h"
 #include "augicp/registration/lengths.h"
 #include "augicp/surface/estimate_surface.h"
 
@@ -13,11 +13,17 @@ namespace augicp {
 
 // The objective: the same code with other numbers (objective/information.h).
 enum class Method { Augmented, Gicp, Plane, Point };
+template <>
+inline constexpr auto kWords<Method> = std::to_array<Word<Method>>(
+    {{Method::Augmented, "augmented"}, {Method::Gicp, "gicp"}, {Method::Plane, "plane"}, {Method::Point, "point"}});
 
 enum class Preset {
   Default,  // weights, kernel and classifier from measured noise
   Paper,    // the paper: Table 2 as printed, structure from the points' eigenvalues, a fixed K
 };
+template <>
+inline constexpr auto kWords<Preset> = std::to_array<Word<Preset>>({{Preset::Default, "default"},
+                                                                    {Preset::Paper, "paper"}});
 
 // How pairs are found.
 enum class Association {
@@ -25,6 +31,10 @@ enum class Association {
   Projective,  // through the target's camera
   Nearest,     // the nearest target point
 };
+template <>
+inline constexpr auto kWords<Association> = std::to_array<Word<Association>>({{Association::Auto, "auto"},
+                                                                              {Association::Projective, "projective"},
+                                                                              {Association::Nearest, "nearest"}});
 
 struct RegistrationOptions {
   Preset preset = Preset::Default;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "augicp/cloud/cloud.h"
+#include "augicp/core/words.h"
 #include "augicp/surface/neighbourhood.h"
 #include "augicp/surface/shape.h"
 
@@ -11,6 +12,9 @@ enum class Classifier {
   Normals,      // the default: see line_or_normal and what follows it
   Eigenvalues,  // the paper: see shape_of_points
 };
+template <>
+inline constexpr auto kWords<Classifier> = std::to_array<Word<Classifier>>({{Classifier::Normals, "normals"},
+                                                                            {Classifier::Eigenvalues, "eigenvalues"}});
 
 struct SurfaceOptions {
   Classifier classifier = Classifier::Normals;

@@ -46,11 +46,6 @@ FreeMotion motion_of(const Vec6d& direction, const Observability& observability)
 
 }  // namespace
 
-std::string_view name_of(FreeMotion::Kind kind) {
-  constexpr std::array<std::string_view, 3> kNames{"translation", "rotation", "screw"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 std::vector<FreeMotion> free_motions(const Observability& observability, int num_free) {
   if (num_free <= 0 || !(observability.gyration > 0.0)) return {};
   // Any rotation of the basis within the free directions spans the same space. This one puts all rotation into as few

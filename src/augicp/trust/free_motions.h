@@ -2,9 +2,9 @@
 // Free motions of degenerate problems, as axes in the scene.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
+#include "augicp/core/words.h"
 #include "augicp/trust/observability.h"
 
 namespace augicp {
@@ -22,7 +22,11 @@ struct FreeMotion {
                                 // paired points' centroid
   double pitch = 0.0;           // metres per radian, of a screw
 };
-std::string_view name_of(FreeMotion::Kind kind);
+template <>
+inline constexpr auto kWords<FreeMotion::Kind> =
+    std::to_array<Word<FreeMotion::Kind>>({{FreeMotion::Kind::Translation, "translation"},
+                                           {FreeMotion::Kind::Rotation, "rotation"},
+                                           {FreeMotion::Kind::Screw, "screw"}});
 
 // A basis of the num_free weakest directions: translations first, then rotations. With several free rotations (a sphere
 // has three) the axes are not unique. Places are between the target's points, without its origin.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
+#include "augicp/core/words.h"
 
 namespace augicp {
 
@@ -15,7 +15,15 @@ enum class AlignStatus {
   Diverged,        // a number is no longer finite
   Doubtful,        // a pose was found, but the evidence contradicts it, see verdict.h
 };
-std::string_view name_of(AlignStatus status);
+template <>
+inline constexpr auto kWords<AlignStatus> =
+    std::to_array<Word<AlignStatus>>({{AlignStatus::Converged, "converged"},
+                                      {AlignStatus::IterationLimit, "iteration_limit"},
+                                      {AlignStatus::Degenerate, "degenerate"},
+                                      {AlignStatus::TooFewPairs, "too_few_pairs"},
+                                      {AlignStatus::NoOverlap, "no_overlap"},
+                                      {AlignStatus::Diverged, "diverged"},
+                                      {AlignStatus::Doubtful, "doubtful"}});
 
 // Whether there is a pose, to be trusted or not.
 bool has_pose(AlignStatus status);

@@ -53,11 +53,6 @@ void VerdictLimits::check() const {
   require_not_negative("max_last_rotation_step", max_last_rotation_step);
 }
 
-std::string_view name_of(Doubt doubt) {
-  constexpr std::array<std::string_view, 4> kNames{"little_seen", "disagreement", "free_space", "bare_planes"};
-  return kNames[static_cast<std::size_t>(doubt)];
-}
-
 bool has_settled(const Evidence& evidence, const VerdictLimits& limits) {
   return evidence.last_step < limits.max_last_step && evidence.last_rotation_step < limits.max_last_rotation_step;
 }

@@ -8,9 +8,9 @@
 #pragma once
 
 #include <limits>
-#include <string_view>
 #include <vector>
 
+#include "augicp/core/words.h"
 #include "augicp/match/agreement.h"
 #include "augicp/trust/residuals.h"
 #include "augicp/trust/status.h"
@@ -79,7 +79,11 @@ enum class Doubt {
   FreeSpace,     // too many are in free space of the other's camera
   BarePlanes,    // only three planes agree, far from the guess
 };
-std::string_view name_of(Doubt doubt);
+template <>
+inline constexpr auto kWords<Doubt> = std::to_array<Word<Doubt>>({{Doubt::LittleSeen, "little_seen"},
+                                                                  {Doubt::Disagreement, "disagreement"},
+                                                                  {Doubt::FreeSpace, "free_space"},
+                                                                  {Doubt::BarePlanes, "bare_planes"}});
 
 struct Verdict {
   AlignStatus status = AlignStatus::Doubtful;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "augicp/geometry/trajectory.h"
+
+namespace augicp::python {
+
+// Python's augicp.Trajectory. Poses keep their quaternions, so that writing one gives the numbers that were read.
+struct PyTrajectory {
+  Trajectory poses;
+};
+
+// An augicp.Trajectory, or the path of one in TUM's form. Throws WrongType or IoError; name says which argument it was.
+Trajectory trajectory_from(const pybind11::object& given, const std::string& name);
+
+// Python's warnings, one for each.
+void warn(const std::vector<std::string>& warnings, const std::string& path);
+
+}  // namespace augicp::python

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "augicp/io/depth_png.h"
+#include "augicp/io/file_bytes.h"
+#include "augicp/io/read_cloud.h"
+#include "augicp/io/transform_file.h"
+#include "augicp/io/write_cloud.h"
+#include "python/bindings.h"
+#include "python/cloud/cloud.h"
+#include "python/core/errors.h"
+#include "python/core/numbers.h"
+#include "python/core/without_gil.h"
+#include "python/geometry/trajectory.h"
+#include "python/sensor/camera.h"
+
+namespace augicp::python {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kReadDoc =
+    R"(The Cloud in a file: .ply, .pcd, .xyz .txt .csv .pts, KITTI's .bin, .npy, or a 16-bit depth .png.
+
+camera, depth_scale: of a depth image, which needs both; see Cloud.from_depth.
+bin_columns: numbers a point in a .bin file, 4 (x y z intensity) or 3. max_points: files with more are refused.
+
+Points that are not finite are dropped. Raises FileError, with nothing read, for a file that is damaged, cut short or without
+points; what may be wrong though all was read is a UserWarning.)";
+
+Scan read_image(const fs::path& path, const py::object& camera, std::optional<double> depth_scale) {
+  if (camera.is_none() || !depth_scale) throw WrongType(path.string() + ": a depth image needs camera and depth_scale");
+  const DepthCamera seen_by = camera_from(camera);
+  return without_gil([&](const std::stop_token&) {
+    const DepthImage image = read_depth_png(path, *depth_scale);
+    check_depth_scale(image, path, *depth_scale);
+    return scan_of(image, seen_by);
+  });
+}
+
+Scan read(const fs::path& path, const py::object& camera, std::optional<double> depth_scale, int bin_columns,
+          std::uint64_t max_points) {
+  if (lower_case_extension(path) == ".png") return read_image(path, camera, depth_scale);
+  const ReadOptions options{max_points, bin_columns};
+  CloudFile file = without_gil([&](const std::stop_token&) { return read_cloud(path, options); });
+  warn(file.report.warnings, path.string());
+  return scan_of(std::move(file.cloud));
+}
+
+void write(const fs::path& path, const py::object& cloud) {
+  const SharedScan scan = scan_from(cloud, "cloud");
+  without_gil([&](const std::stop_token&) { write_cloud(path, scan->cloud); });
+}
+
+void write_matrix(const fs::path& path, const py::object& matrix) {
+  const Rigid3 motion = rigid3_from(matrix, "matrix");
+  without_gil([&](const std::stop_token&) { write_transform(path, motion); });
+}
+
+}  // namespace
+
+void bind_files(py::module_& module) {
+  const ReadOptions usual;
+  module.def("read", &read, py::arg("path"), py::arg("camera") = py::none(), py::arg("depth_scale") = py::none(),
+             py::arg("bin_columns") = usual.num_bin_columns, py::arg("max_points") = usual.max_points, kReadDoc);
+  module.def(
+      "write", &write, py::arg("path"), py::arg("cloud"),
+      "Writes a Cloud or an (N, 3) array as .ply or .pcd, binary, with directions and structures where it has them; "
+      "whole or not at all. Raises FileError, and ArgumentError for a cloud without points.");
+  module.def(
+      "read_transform",
+      [](const fs::path& path) {
+        return to_array(without_gil([&](const std::stop_token&) { return read_transform(path); }));
+      },
+      py::arg("path"),
+      "The (4, 4) matrix of a rigid motion in a text file: 16 or 12 numbers row by row, or tx ty tz qx qy qz qw. "
+      "Raises FileError.");
+  module.def("write_transform", &write_matrix, py::arg("path"), py::arg("matrix"),
+             "Writes a (4, 4) rigid motion as four lines of four numbers. Raises FileError.");
+}
+
+}  // namespace augicp::python

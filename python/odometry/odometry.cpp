@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <mutex>
+#include <optional>
+
+#include "augicp/io/depth_png.h"
+#include "augicp/odometry/option_table.h"
+#include "augicp/sensor/frame_source.h"
+#include "python/bindings.h"
+#include "python/core/numbers.h"
+#include "python/core/options.h"
+#include "python/core/without_gil.h"
+#include "python/geometry/trajectory.h"
+#include "python/sensor/camera.h"
+#include "python/sensor/depth.h"
+
+namespace augicp::python {
+namespace {
+
+constexpr const char* kDoc = R"(Tracks one depth camera: give it one image after the other.
+
+    odometry = augicp.Odometry("tum-fr1", depth_scale=5000)
+    for stamp, image in images:
+        T_world_camera = odometry.add(image, stamp)  # None: not tracked, odometry.last_frame says why
+
+camera: a Camera, or text for Camera.read. depth_scale: of images of integers, the value of one metre; as in Cloud.from_depth.
+The world is the first camera.
+
+Calls from several threads follow one another in some order. Raises ArgumentError and ArgumentTypeError as align does.
+
+Options, by keyword; augicp.default_options("odometry") has their defaults:
+)";
+
+constexpr const char* kAddDoc =
+    R"(The next image: (height, width), as in Cloud.from_depth. stamp: seconds; None: 1/30 after the one before.
+
+Returns its pose as a new (4, 4) float64 T_world_camera, or None where it has none; last_frame tells how it went, and whether
+the pose may be trusted. A frame that cannot be placed is no error, and the next one is tried again. Raises ArgumentError
+where the image is not of the camera's size, or depth_scale is wrong. Works without the GIL. Ctrl-C ends it and leaves
+everything as it was, so that the same image may be added again.)";
+
+class Tracker {
+ public:
+  Tracker(const DepthCamera& camera, std::optional<double> depth_scale, const OdometryOptions& options)
+      : camera_(camera), depth_scale_(depth_scale), options_(options), odometry_(options, camera.readout_s) {}
+
+  py::object add(const py::object& given, std::optional<double> stamp) {
+    const DepthImage image = depth_image_from(given, depth_scale_);
+    const FrameReport report = without_gil([&](const std::stop_token& stop) { return placed(image, stamp, stop); });
+    return has_pose(report.status) ? py::object(to_array(report.world_from_camera)) : py::none();
+  }
+
+  std::optional<FrameReport> last_frame() const {
+    const std::lock_guard lock(mutex_);
+    return last_;
+  }
+
+  PyTrajectory trajectory() const {
+    const std::lock_guard lock(mutex_);
+    return {trajectory_};
+  }
+
+  const OdometryOptions& options() const { return options_; }
+
+ private:
+  FrameReport placed(const DepthImage& image, std::optional<double> stamp, const std::stop_token& stop) {
+    const std::lock_guard lock(mutex_);
+    if (!scale_is_checked_ && tells_depth_scale(image)) check_scale(image, depth_scale_);
+    OdometryOptions preparing = options_;
+    preparing.registration.stop = stop;
+    const Scan frame = prepare_frame(image, camera_, preparing);
+    const double next_s = last_stamp_s_ ? *last_stamp_s_ + 1.0 / kUsualFramesPerS : 0.0;
+    last_ = odometry_.add(stamp.value_or(next_s), frame, stop);
+    if (last_->status != FrameStatus::OutOfOrder) last_stamp_s_ = last_->stamp_s;
+    scale_is_checked_ = scale_is_checked_ || tells_depth_scale(image);
+    if (has_pose(last_->status)) trajectory_.push_back({last_->stamp_s, last_->world_from_camera});
+    return *last_;
+  }
+
+  const DepthCamera camera_;
+  const std::optional<double> depth_scale_;
+  const OdometryOptions options_;
+  mutable std::mutex mutex_;  // of all below
+  Odometry odometry_;
+  bool scale_is_checked_ = false;
+  std::optional<FrameReport> last_;
+  std::optional<double> last_stamp_s_;  // of the frames in order
+  Trajectory trajectory_;
+};
+
+std::unique_ptr<Tracker> made(const py::object& camera, std::optional<double> depth_scale, const py::kwargs& given) {
+  OdometryOptions options;
+  set_options(given, options);
+  options.check();
+  return std::make_unique<Tracker>(camera_from(camera), depth_scale, options);
+}
+
+}  // namespace
+
+void bind_odometry(py::module_& module) {
+  py::class_<Tracker> type(module, "Odometry", (kDoc + options_doc<OdometryOptions>()).c_str());
+  type.def(py::init(&made), py::arg("camera"), py::arg("depth_scale") = py::none());
+  type.def("add", &Tracker::add, py::arg("depth"), py::arg("stamp") = py::none(), kAddDoc);
+  type.def_property_readonly("last_frame", &Tracker::last_frame,
+                             "A Frame: how the last image went; None before the first.");
+  type.def_property_readonly("trajectory", &Tracker::trajectory, "A Trajectory of every pose so far: a copy.");
+  type.def_property_readonly(
+      "options", [](const Tracker& tracker) { return values_of(tracker.options()); },
+      "dict of every option as it took effect.");
+}
+
+}  // namespace augicp::python

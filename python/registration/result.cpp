@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "python/registration/result.h"
+
+#include <pybind11/stl.h>
+
+#include <sstream>
+
+#include "augicp/registration/option_table.h"
+#include "python/bindings.h"
+#include "python/core/numbers.h"
+#include "python/core/options.h"
+#include "python/core/words.h"
+
+namespace augicp::python {
+namespace {
+
+constexpr const char* kDoc = R"(What a registration found. bool(result) is True only where status is Status.CONVERGED.
+
+T_target_source maps source coordinates into the target's frame. On failure it is the last pose reached, never made up.
+Arrays are new at each access; nothing written to them changes the result.)";
+
+template <typename Field>
+auto found(Field field) {
+  return [field](const Result& result) { return result.found.*field; };
+}
+
+py::object covariance(const Result& result) {
+  return result.found.covariance ? py::object(to_array(*result.found.covariance)) : py::none();
+}
+
+py::list doubts(const Result& result) {
+  py::list words;
+  for (const Doubt doubt : result.found.doubts) words.append(word_member("Doubt", name_of(doubt)));
+  return words;
+}
+
+std::string in_words(const Result& result) {
+  std::ostringstream text;
+  text << "<augicp.Result " << name_of(result.found.status) << " after " << result.found.iterations << " iterations, "
+       << result.found.num_pairs << " pairs, overlap " << result.found.overlap << ", rmse " << result.found.rmse
+       << " m>";
+  return text.str();
+}
+
+void bind_iteration(py::module_& module) {
+  py::class_<AlignIteration> type(module, "Iteration", "One iteration at full resolution.");
+  type.def_property_readonly(
+      "T_target_source", [](const AlignIteration& iteration) { return to_array(iteration.target_from_source); },
+      "(4, 4) float64, after the iteration's step.");
+  type.def_readonly("num_pairs", &AlignIteration::num_pairs, "Pairs of points that were used.");
+  type.def_readonly("cost", &AlignIteration::cost, "What is minimised, before the step.");
+  type.def_readonly("kernel_chi2", &AlignIteration::kernel_chi2, "K of the robust kernel.");
+  type.def_readonly("lever", &AlignIteration::lever, "How directions weigh against positions, metres; 0: not at all.");
+  type.def_readonly("intensity_information", &AlignIteration::intensity_information,
+                    "How brightness weighs; 0: not at all.");
+  type.def("__repr__", [](const AlignIteration& iteration) {
+    return "<augicp.Iteration " + std::to_string(iteration.num_pairs) + " pairs, cost " +
+           std::to_string(iteration.cost) + ">";
+  });
+}
+
+using ResultType = py::class_<Result>;
+
+void bind_numbers(ResultType& type) {
+  type.def_property_readonly(
+      "T_target_source", [](const Result& result) { return to_array(result.found.target_from_source); },
+      "(4, 4) float64: x_in_target = T_target_source @ x_in_source, metres.");
+  type.def_property_readonly("iterations", found(&AlignResult::iterations), "Iterations made at full resolution.");
+  type.def_property_readonly("num_pairs", found(&AlignResult::num_pairs), "Pairs at the last iteration.");
+  type.def_property_readonly(
+      "num_intensity_pairs", found(&AlignResult::num_intensity_pairs),
+      "Of these, those compared by their brightness; 0: the clouds have none, or intensity is off.");
+  type.def_property_readonly("overlap", found(&AlignResult::overlap), "Share of source points with a partner, 0 to 1.");
+  type.def_property_readonly("rmse", found(&AlignResult::rmse), "Of the distances within the final pairs, metres.");
+  type.def_property_readonly(
+      "covariance", &covariance,
+      "(6, 6) float64, or None where the pose is not held in all directions. Order tx ty tz rx ry rz "
+      "(metres, radians): an increment on the left, about the target points' zero.");
+  type.def_property_readonly(
+      "information", [](const Result& result) { return to_array(result.found.information); },
+      "(6, 6) float64, the last iteration's H, in the order and on the side of covariance.");
+  type.def_property_readonly(
+      "observability",
+      [](const Result& result) {
+        return py::array(py::array_t<double>(6, result.found.observability.information.data()));
+      },
+      "(6,) float64, ascending: how firmly the data hold six directions of motion, as parts of the best one.");
+}
+
+}  // namespace
+
+void bind_result(py::module_& module) {
+  bind_iteration(module);
+  ResultType type(module, "Result", kDoc);
+  bind_numbers(type);
+  type.def_property_readonly(
+      "status", [](const Result& result) { return word_member("Status", name_of(result.found.status)); },
+      "A Status; str() gives the command's word, and it equals that word.");
+  type.def_property_readonly("free_motions", found(&AlignResult::free_motions),
+                             "list of FreeMotion: what the data leave open, where status is Status.DEGENERATE.");
+  type.def_property_readonly("evidence", found(&AlignResult::evidence),
+                             "An Evidence: what speaks for the pose and against it; None where there is no pose.");
+  type.def_property_readonly("doubts", &doubts, "list of Doubt: why the pose is doubted.");
+  type.def_property_readonly("history", found(&AlignResult::history), "list of Iteration, at full resolution.");
+  type.def_property_readonly(
+      "options", [](const Result& result) { return values_of(result.options); },
+      "dict of every option as it took effect, derived lengths too. align(**result.options) repeats the call.");
+  type.def("__bool__", [](const Result& result) { return result.found.status == AlignStatus::Converged; });
+  type.def("__repr__", &in_words);
+}
+
+}  // namespace augicp::python

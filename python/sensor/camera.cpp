@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "python/sensor/camera.h"
+
+#include <pybind11/stl.h>
+
+#include <sstream>
+#include <vector>
+
+#include "augicp/io/camera_file.h"
+#include "python/bindings.h"
+#include "python/core/errors.h"
+
+namespace augicp::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr const char* kDoc = R"(A depth camera: pinhole, lens and shutter. It cannot be changed.
+
+Camera(fx, fy, cx, cy, width, height, distortion, readout_s)
+
+Focal lengths and centre in pixels; pixel (0, 0) is the centre of the first one. Camera frame: x right, y down, z forward.
+width, height: of its images; 0: any. distortion: the lens's k1 k2 p1 p2 k3, as in OpenCV and ROS ("plumb_bob").
+readout_s: a rolling shutter reads the first row so many seconds before the last; 0: all at once.
+
+Wherever a camera is asked for, text does too: see Camera.read. Raises ArgumentError for values out of range.)";
+
+constexpr const char* kReadDoc = R"(A camera from text: a known name (see Camera.names), numbers "fx fy cx cy" with or
+without a lens's "k1 k2 p1 p2 k3" behind them, or the path of a file with such numbers, a 3 x 3 intrinsic matrix, or
+JSON as Open3D writes it. Raises FileError.)";
+
+DepthCamera made(double fx, double fy, double cx, double cy, int width, int height,
+                 const std::vector<double>& distortion, double readout_s) {
+  if (distortion.size() != 5)
+    throw std::invalid_argument("distortion: expected the five numbers k1 k2 p1 p2 k3, found " +
+                                std::to_string(distortion.size()));
+  const std::vector<double>& k = distortion;
+  DepthCamera camera{{fx, fy, cx, cy, width, height}, {k[0], k[1], k[2], k[3], k[4]}, readout_s};
+  if (width < 0 || height < 0) throw std::invalid_argument("width, height: must be at least 0 (0: any)");
+  camera.check();
+  return camera;
+}
+
+std::vector<double> coefficients(const DepthCamera& camera) {
+  const auto& [k1, k2, p1, p2, k3] = camera.distortion;
+  return {k1, k2, p1, p2, k3};
+}
+
+py::tuple arguments_of(const DepthCamera& camera) {
+  const auto& [fx, fy, cx, cy, width, height] = camera.pinhole;
+  return py::make_tuple(fx, fy, cx, cy, width, height, coefficients(camera), camera.readout_s);
+}
+
+std::string in_words(const DepthCamera& camera) {
+  const auto& [fx, fy, cx, cy, width, height] = camera.pinhole;
+  std::ostringstream text;
+  text << "Camera(fx=" << fx << ", fy=" << fy << ", cx=" << cx << ", cy=" << cy << ", width=" << width
+       << ", height=" << height;
+  if (!camera.distortion.is_none()) text << ", with a lens";
+  if (camera.readout_s > 0.0) text << ", readout_s=" << camera.readout_s;
+  return text.str() + ")";
+}
+
+}  // namespace
+
+void bind_camera(py::module_& module) {
+  const DepthCamera usual;
+  py::class_<DepthCamera> type(module, "Camera", kDoc);
+  type.def(py::init(&made), py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"),
+           py::arg("width") = usual.pinhole.width, py::arg("height") = usual.pinhole.height,
+           py::arg("distortion") = coefficients(usual), py::arg("readout_s") = usual.readout_s);
+  type.def_static(
+      "read", [](const std::string& text) { return read_camera(text); }, py::arg("text"), kReadDoc);
+  type.def_static("names", &camera_names, "Every name that Camera.read knows.");
+  const auto pinhole = [&type](const char* name, auto field, const char* doc) {
+    type.def_property_readonly(
+        name, [field](const DepthCamera& camera) { return camera.pinhole.*field; }, doc);
+  };
+  pinhole("fx", &Pinhole::fx, "Focal length along x, pixels.");
+  pinhole("fy", &Pinhole::fy, "Focal length along y, pixels.");
+  pinhole("cx", &Pinhole::cx, "Centre along x, pixels.");
+  pinhole("cy", &Pinhole::cy, "Centre along y, pixels.");
+  pinhole("width", &Pinhole::width, "Columns of its images; 0: any.");
+  pinhole("height", &Pinhole::height, "Rows of its images; 0: any.");
+  type.def_property_readonly("distortion", &coefficients, "The lens's k1 k2 p1 p2 k3; all 0: none.");
+  type.def_readonly("readout_s", &DepthCamera::readout_s, "Time from the first row to the last, seconds.");
+  type.def("__repr__", &in_words);
+  type.def(py::pickle(&arguments_of, [](const py::tuple& saved) {
+    return py::module_::import("augicp._augicp").attr("Camera")(*saved).cast<DepthCamera>();
+  }));
+}
+
+DepthCamera camera_from(const py::object& given) {
+  if (py::isinstance<DepthCamera>(given)) return given.cast<DepthCamera>();
+  if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
+    return read_camera(py::module_::import("os").attr("fspath")(given).cast<std::string>());
+  throw WrongType("camera: expected an augicp.Camera, or text for Camera.read, found " +
+                  py::repr(given).cast<std::string>());
+}
+
+}  // namespace augicp::python

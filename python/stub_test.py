@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""The package as editors see it: every name has a docstring, and the stubs say what the module has, with one set of defaults."""
+import ast
+import enum
+import inspect
+import re
+from pathlib import Path
+
+import pytest
+
+import augicp
+from conftest import ROOM, PROJECT, command_json
+
+STUBS = {node.name: node for node in ast.parse((Path(augicp.__file__).parent / "__init__.pyi").read_text()).body
+         if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+FUNCTIONS = {"align": "align", "estimate_surface": "align", "Odometry": "odometry", "evaluate": "evaluate"}
+
+
+def members(cls):
+    return {name: vars(cls)[name] for name in vars(cls) if not name.startswith("_")}
+
+
+def stub_members(node):
+    return {child.name: child for child in node.body if isinstance(child, ast.FunctionDef)}
+
+
+def parameters(doc):
+    """{name: default} of the first line of a docstring, as pybind11 writes it."""
+    signature = re.match(r"\w+\((.*)\) -> ", doc.splitlines()[0]).group(1)
+    found = re.findall(r"(\*{0,2}\w+)(?:: [^=,\[]+(?:\[[^=]*\])?)?(?: = ([^,\[]+|\[[^\]]*\]))?(?:, |$)", signature)
+    return {name: default or None for name, default in found if name != "self" and not name.startswith("**")}
+
+
+def stub_parameters(node):
+    return [arg.arg for arg in node.args.args if arg.arg != "self"]
+
+
+def test_the_same_names():
+    assert set(STUBS) == set(augicp.__all__)
+    assert {name for name in dir(augicp) if not name.startswith("_")} == set(augicp.__all__)
+
+
+@pytest.mark.parametrize("name", sorted(STUBS))
+def test_docstrings_and_signatures(name):
+    real, stub = getattr(augicp, name), STUBS[name]
+    assert real.__doc__ and len(real.__doc__.strip()) > 10
+    if isinstance(stub, ast.FunctionDef):
+        assert list(parameters(real.__doc__)) == stub_parameters(stub)
+        return
+    if issubclass(real, enum.Enum):
+        assert {child.targets[0].id: child.value.value for child in stub.body} == {m.name: m.value for m in real}
+        assert all(str(member) == member.value for member in real)
+        return
+    assert {base.id for base in stub.bases} == {base.__name__ for base in real.__bases__} - {"pybind11_object"}
+    stubs = stub_members(stub)
+    assert set(members(real)) == {child for child in stubs if not child.startswith("__")}
+    for child, member in members(real).items():
+        assert member.__doc__, f"{name}.{child}"
+        is_property = any(isinstance(d, ast.Name) and d.id == "property" for d in stubs[child].decorator_list)
+        assert is_property == isinstance(member, property), child
+        if not is_property:
+            function = getattr(real, child)
+            assert list(parameters(function.__doc__)) == stub_parameters(stubs[child]), child
+    if "__init__" in stubs:
+        assert list(parameters(real.__init__.__doc__)) == stub_parameters(stubs["__init__"])
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_every_option_is_a_keyword_of_the_stub(name):
+    stub = STUBS[name] if name != "Odometry" else stub_members(STUBS[name])["__init__"]
+    keywords = {arg.arg for arg in stub.args.kwonlyargs} | set(stub_parameters(stub))
+    assert set(augicp.default_options(FUNCTIONS[name])) <= keywords
+    assert {arg.arg for arg in stub.args.kwonlyargs} <= set(augicp.default_options(FUNCTIONS[name]))
+    doc = augicp.align.__doc__ if name in ("align", "estimate_surface") else getattr(augicp, name).__doc__ + augicp.align.__doc__
+    assert all(option in doc for option in augicp.default_options(FUNCTIONS[name])), name
+
+
+def test_stubs_repeat_no_default_of_the_library():
+    for node in ast.walk(ast.Module(list(STUBS.values()), [])):
+        if isinstance(node, ast.FunctionDef):
+            for default in [*node.args.defaults, *node.args.kw_defaults]:
+                assert default is None or default.value in (None, ...), node.name
+
+
+def test_defaults_are_the_command_s():
+    told = command_json("align", ROOM / "source.ply", ROOM / "target.ply", "--json", "-")["options"]
+    defaults = augicp.default_options()
+    told["max_angle"] = told.pop("max_angle_deg")
+    assert told.keys() == defaults.keys()
+    assert round(defaults.pop("max_angle") * 180 / 3.141592653589793, 9) == round(told.pop("max_angle"), 9)
+    assert {name: defaults[name] for name in told if defaults[name] is not None} == \
+        {name: value for name, value in told.items() if defaults[name] is not None}
+    used = augicp.align(augicp.read(ROOM / "source.ply"), augicp.read(ROOM / "target.ply")).options
+    assert {name: used[name] for name in told} == told
+
+
+def test_defaults_in_signatures_are_those():
+    shown = parameters(augicp.align.__doc__)
+    assert ast.literal_eval(shown["method"]) == augicp.default_options()["method"]
+    assert int(shown["threads"]) == augicp.default_options()["threads"]
+    with pytest.raises(augicp.ArgumentError, match="align, odometry or evaluate"):
+        augicp.default_options("x")
+
+
+def test_the_version_is_the_project_s():
+    assert augicp.__version__ == (PROJECT / "VERSION").read_text().strip()
+
+
+def test_pyproject_is_sound():
+    tomllib = pytest.importorskip("tomllib")
+    project = tomllib.loads((PROJECT / "pyproject.toml").read_text())
+    assert project["project"]["name"] == "augicp" and "version" in project["project"]["dynamic"]
+    source = project["tool"]["scikit-build"]["metadata"]["version"]
+    version = re.search(source["regex"], (PROJECT / source["input"]).read_text())["value"]
+    assert version == augicp.__version__
+    assert (PROJECT / project["project"]["readme"]).exists()
+    for name in project["tool"]["scikit-build"]["cmake"]["define"]:
+        assert name in (PROJECT / "CMakeLists.txt").read_text() + (PROJECT / "cmake/AugicpPython.cmake").read_text(), name
+
+
+def test_help_can_be_read():
+    assert "T_target_source" in inspect.getdoc(augicp.align) and "Ctrl-C" in augicp.__doc__

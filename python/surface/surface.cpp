@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <stdexcept>
+
+#include "augicp/registration/option_table.h"
+#include "augicp/registration/registration.h"
+#include "python/bindings.h"
+#include "python/cloud/cloud.h"
+#include "python/core/options.h"
+#include "python/core/without_gil.h"
+
+namespace augicp::python {
+namespace {
+
+constexpr const char* kDoc = R"(Normals, tangents and structures, as a registration estimates them.
+
+cloud: (N, 3) array, metres, or Cloud; directions that it has are replaced.
+threads: 0: all the machine's. The result has the same bits for any number.
+Options, by keyword: radius, voxel_size, preset, classifier and the others of align.
+
+Returns a new Cloud with directions and structures. Without a depth image it has one point a voxel, in an order along space:
+not the points that were given. Raises ArgumentError where all points lie in one place, and as align does. Works without the
+GIL; may be called from several threads at once; Ctrl-C ends it between two stages.)";
+
+Scan extended(Scan scan, const RegistrationOptions& options) {
+  scan.cloud.directions.clear();  // asked for ours, not for what the cloud brought
+  scan.cloud.structures.clear();
+  const Lengths lengths = lengths_for(scan, scan, options);
+  if (!(lengths.radius > 0.0)) throw std::invalid_argument("cloud: all points lie in one place, there is no surface");
+  return prepare(std::move(scan), lengths, options);
+}
+
+py::object estimate_surface(const py::object& cloud, const py::object& threads, const py::kwargs& given) {
+  given["threads"] = threads;
+  RegistrationOptions options;
+  set_options(given, options);
+  options.check();
+  const SharedScan scan = scan_from(cloud, "cloud");
+  return cloud_of(without_gil([&](const std::stop_token& stop) {
+    options.stop = stop;
+    return extended(*scan, options);
+  }));
+}
+
+}  // namespace
+
+void bind_surface(py::module_& module) {
+  const py::dict usual = values_of(RegistrationOptions{});
+  module.def("estimate_surface", &estimate_surface, py::arg("cloud"), py::arg("threads") = usual["threads"], kDoc);
+}
+
+}  // namespace augicp::python

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <sstream>
+
+#include "python/bindings.h"
+#include "python/core/numbers.h"
+#include "python/core/words.h"
+#include "python/registration/result.h"
+
+namespace augicp::python {
+namespace {
+
+void bind_free_motion(py::module_& module) {
+  py::class_<FreeMotion> type(module, "FreeMotion", "A motion of the source that changes nothing in what was seen.");
+  type.def_property_readonly(
+      "kind", [](const FreeMotion& motion) { return word_member("MotionKind", name_of(motion.kind)); },
+      "A MotionKind.");
+  type.def_property_readonly(
+      "axis", [](const FreeMotion& motion) { return vector_array(motion.axis); },
+      "(3,) unit vector in the target's frame; it and its opposite are the same.");
+  type.def_property_readonly(
+      "point", [](const FreeMotion& motion) { return vector_array(motion.point); },
+      "(3,) a point on the axis in the target's frame, metres.");
+  type.def_readonly("pitch", &FreeMotion::pitch, "Metres along the axis for each radian about it, of a screw.");
+  type.def("__repr__", [](const FreeMotion& motion) {
+    std::ostringstream text;
+    text << "<augicp.FreeMotion " << name_of(motion.kind) << " axis (" << motion.axis.transpose() << ")>";
+    return text.str();
+  });
+}
+
+void bind_testimony(py::module_& module) {
+  py::class_<Testimony> type(module, "Testimony", "What one cloud says of the other, as shares from 0 to 1.");
+  type.def_property_readonly("seen", &Testimony::seen, "Of all points: should have been visible to the other sensor.");
+  type.def_property_readonly("agreeing", &Testimony::agreeing, "Of those: found again, on a surface turned alike.");
+  type.def_property_readonly("conflicting", &Testimony::conflicting, "Of those: where the other's camera saw through.");
+  type.def_property_readonly(
+      "num_points", [](const Testimony& testimony) { return testimony.count.total(); }, "Points that were asked.");
+  type.def_readonly("knows_free_space", &Testimony::knows_free_space, "It is a depth image.");
+}
+
+void bind_residuals(py::module_& module) {
+  py::class_<ResidualStatistics> statistics(module, "ResidualStatistics", "The typical size of one kind of error.");
+  statistics.def_readonly("count", &ResidualStatistics::count, "Pairs with this error.");
+  statistics.def_readonly("median", &ResidualStatistics::median, "Metres or radians; 0 where there is none.");
+  py::class_<Residuals> residuals(module, "Residuals", "What the pose leaves of each measured quantity.");
+  residuals.def_readonly("point", &Residuals::point, "Distances from the target's planes, metres.");
+  residuals.def_readonly("normal", &Residuals::normal, "Angles between normals, radians.");
+  residuals.def_readonly("tangent", &Residuals::tangent, "Angles between tangents, radians.");
+}
+
+}  // namespace
+
+void bind_evidence(py::module_& module) {
+  bind_free_motion(module);
+  bind_testimony(module);
+  bind_residuals(module);
+  py::class_<Evidence> type(module, "Evidence", "All that is known of a pose that was found; docs/verdict.md.");
+  type.def_readonly("source_in_target", &Evidence::source_in_target,
+                    "What the target says of the source: a Testimony.");
+  type.def_readonly("target_in_source", &Evidence::target_in_source,
+                    "What the source says of the target: a Testimony.");
+  type.def_readonly("residuals", &Evidence::residuals, "Residuals of the final pairs.");
+  type.def_readonly("beyond_planes", &Evidence::beyond_planes,
+                    "Of what agrees: the share from 0 to 1 off the three planes that hold the most of it.");
+  type.def_readonly("moved", &Evidence::moved,
+                    "How far the pose moved the source from the guess, by its radius of gyration.");
+  type.def_property_readonly(
+      "strain", [](const Evidence& evidence) { return strain(evidence); },
+      "The largest part of what is allowed; above 1 the pose is doubted.");
+}
+
+}  // namespace augicp::python

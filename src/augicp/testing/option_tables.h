@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What holds for every table of options.
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <optional>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "augicp/core/option.h"
+
+namespace augicp {
+
+template <typename Value>
+constexpr bool kIsOptional = false;
+template <typename Value>
+constexpr bool kIsOptional<std::optional<Value>> = true;
+
+// Another value of the same type.
+inline void change(double& value) { value = value == 1.0 ? 2.0 : 1.0; }
+inline void change(int& value) { ++value; }
+inline void change(bool& value) { value = !value; }
+template <HasWords Value>
+void change(Value& value) {
+  value = kWords<Value>.front().value == value ? kWords<Value>.back().value : kWords<Value>.front().value;
+}
+template <typename Value>
+void change(std::optional<Value>& value) {
+  value ? value.reset() : void(value.emplace());
+}
+
+template <typename Options>
+void expect_sound_texts(const Options& options) {
+  std::set<std::string> names, flags;
+  for_each_option(options, [&](const OptionText& text, const auto& field) {
+    const std::string name(text.name);
+    EXPECT_TRUE(names.insert(name).second && flags.insert(flag_name(text)).second) << name << " is there twice";
+    EXPECT_TRUE(std::regex_match(name, std::regex("[a-z][a-z0-9]*(_[a-z0-9]+)*"))) << name;
+    EXPECT_FALSE(text.group.empty() || text.help.empty()) << name;
+    EXPECT_FALSE(text.help.ends_with('.') || text.help.ends_with("metres") || text.help.ends_with("seconds")) << name;
+    if constexpr (kIsOptional<std::remove_cvref_t<decltype(field)>>) EXPECT_FALSE(text.unset.empty()) << name;
+  });
+}
+
+// The line of each option is about a field of its own: what is set through it is read through it, and nothing else
+// changes.
+template <typename Options>
+void expect_fields_of_their_own() {
+  const Options usual;
+  std::vector<std::string> all;
+  for_each_option(usual, [&](const OptionText& text, const auto&) { all.emplace_back(text.name); });
+  for (const std::string& changed : all) {
+    Options options;
+    for_each_option(options, [&](const OptionText& text, auto& field) {
+      if (text.name == changed) change(field);
+    });
+    for_each_option(options, [&](const OptionText& text, const auto& field) {
+      for_each_option(usual, [&](const OptionText& other, const auto& usual_field) {
+        if constexpr (std::is_same_v<decltype(field), decltype(usual_field)>)
+          if (text.name == other.name)
+            EXPECT_EQ(field == usual_field, text.name != changed) << text.name << ", " << changed;
+      });
+    });
+  }
+}
+
+}  // namespace augicp
