@@ -93,6 +93,11 @@ struct FrameReport {
   double rmse = 0.0;    // metres
   double strain = 0.0;  // of the evidence for the pose, see trust/verdict.h
 
+  // Of a LiDAR scan alone: of its pose, as AlignResult has it, about the place of the last keyframe; and where the
+  // status is Degenerate, the motions that the map leaves open.
+  std::optional<Mat6d> covariance;
+  std::vector<FreeMotion> free_motions;
+
   std::string problem;  // in words, where the status is NoReadings or Unreadable
 };
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// From LiDAR scans, one after the other, to where the sensor was.
+//
+//   scan --without_skew, downsample--> points --align to SurfaceMap--> FrameReport (pose, status)
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "augicp/geometry/trajectory.h"
+#include "augicp/match/matcher.h"
+#include "augicp/odometry/odometry.h"
+#include "augicp/odometry/surface_map.h"
+#include "augicp/shutter/sweep.h"
+
+namespace augicp {
+
+struct LidarOptions {
+  // Edge length of the map's voxels, metres. Not set: a part of the first scan's extent. Every other length is in
+  // voxels, so that one set of defaults serves rooms and streets.
+  std::optional<double> voxel_size;
+
+  // A scan this far from the last keyframe, or turned this much, becomes the next one: voxels, radians. Scans between
+  // keyframes are registered and not merged: what is wrong in them moves with the sensor and would confirm itself.
+  double keyframe_distance_voxels = 2.0;
+  double keyframe_angle = 0.2;
+
+  // The map keeps what is within this distance of the sensor, voxels.
+  double reach_voxels = 150.0;
+
+  // Registration: the least gate on the distance between a point and a voxel's mean, voxels, and the distance from a
+  // plane at which a point counts as on it, voxels.
+  double gate_voxels = 1.0;
+  double on_surface_voxels = 0.15;
+
+  // Sweeps are straightened with the motion found, if the first ones that bend agree better with the map so. false:
+  // scans are used as they came.
+  bool deskew = true;
+
+  // How long a sweep takes, seconds. 0: the shortest time between two scans so far. Stamps may be in any unit if this
+  // is in the same one.
+  double sweep_s = 0.0;
+
+  // Where the prediction leads nowhere convincing, the pose is searched for, see search_start().
+  bool search = true;
+
+  // Where the weakest direction's part of the best one's information is below, the status is Degenerate.
+  double min_observability = 2e-3;
+
+  // A scan with less than this part of the usual share of points on the map's surfaces is doubtful, and is lost with
+  // less than half of that.
+  double min_agreement = 0.6;
+
+  // After this number of lost or doubtful scans in a row, the next one starts a new segment of the trajectory.
+  int max_lost = 10;
+
+  bool covariance = false;  // see FrameReport; takes about a tenth of the time
+  int num_threads = 0;      // 0: all the machine's
+  std::stop_token stop{};
+
+  // Throws std::invalid_argument naming the first field out of its range.
+  void check() const;
+};
+
+// Tracks one LiDAR. A pose refers to the middle of its sweep where the shares are known. Memory is bounded by the reach
+// of the map. Not for concurrent use; independent objects may be used concurrently.
+class LidarOdometry {
+ public:
+  // Throws std::invalid_argument for options out of range.
+  explicit LidarOdometry(const LidarOptions& options = {});
+
+  // The next scan, in the sensor's frame. shares: see shares_from_times() and shares_from_order(); empty: all points at
+  // one moment. Never throws for what scans or stamps are like: a scan that cannot be placed gets a status and no pose,
+  // and the next one is tried again. Throws std::invalid_argument for shares that are neither empty nor one a point,
+  // and Interrupted after a request to options.stop; everything then is as before the call.
+  FrameReport add(double stamp_s, const Cloud& scan, const SweepShares& shares = {});
+
+  // The surfaces of the map, in the frame of the first scan.
+  Cloud map() const;
+
+  // The voxel size in use, metres; 0 before the first scan.
+  double voxel_size() const { return voxel_size_; }
+
+ private:
+  struct Attempt;  // one scan at one pose
+  struct Keyframe {
+    Cloud cloud;
+    Rigid3 world_from_sensor;
+  };
+
+  struct StartScan {
+    Cloud cloud;
+    SweepShares shares;
+  };
+
+  Rigid3 predicted(double stamp_s) const;
+  Rigid3 motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const;
+  FrameReport placed(double stamp_s, const Cloud& scan, const SweepShares& shares);
+  void start_segment(const Cloud& scan, const SweepShares& shares, FrameReport& report);
+  void straighten_start(const Rigid3& first_from_last);
+  Attempt prepared(const Cloud& scan, const SweepShares& shares, const Rigid3& first_from_last) const;
+  void align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const;
+  Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
+  Attempt tried(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
+  void search(Attempt& attempt) const;
+  FrameStatus status_of(const Attempt& attempt) const;
+  void merge(const Attempt& attempt);
+
+  LidarOptions options_;
+  double voxel_size_ = 0.0;
+  std::optional<SurfaceMap> map_;
+  std::shared_ptr<const Cloud> surfaces_;
+  std::shared_ptr<const Matcher> matcher_;
+  std::optional<Keyframe> keyframe_;
+  std::optional<StartScan> start_scan_;            // as it came, until a second one tells how the sensor moved
+  std::optional<StampedPose> before_last_, last_;  // of this segment
+  std::optional<double> last_stamp_s_;             // of any scan
+  double shortest_gap_s_ = 0.0;
+  double prediction_error_ = 0.0;  // metres at the distance of a typical point, of the last scans
+  double usual_agreement_ = 0.0;
+  double gain_of_deskewing_ = 0.0;  // of the agreement, summed over the trials
+  int num_trials_ = 0;
+  int num_lost_ = 0;
+  int segment_ = 0;
+};
+
+}  // namespace augicp

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/odometry/lidar_odometry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "augicp/core/error.h"
+#include "augicp/geometry/rotation.h"
+#include "augicp/synthetic/lidar.h"
+#include "augicp/synthetic/outdoor_scenes.h"
+#include "augicp/testing/matchers.h"
+
+namespace augicp {
+namespace {
+
+using testing::NearPose;
+
+constexpr double kSweep_s = 0.1;
+
+synthetic::Lidar small_lidar() {
+  synthetic::Lidar lidar;
+  lidar.num_rings = 32;
+  lidar.num_azimuths = 360;
+  lidar.sweep_s = kSweep_s;
+  return lidar;
+}
+
+const testing::Scene& street() {
+  static const testing::Scene scene = synthetic::street(5);
+  return scene;
+}
+
+// 5 m/s and 20 degrees a second.
+synthetic::Motion driving() {
+  return synthetic::moving_evenly(street().world_from_camera, {rotation_exp({0.0, 0.0, 0.35}), {5.0, 0.0, 0.0}});
+}
+
+LidarOptions one_thread() {
+  LidarOptions options;
+  options.num_threads = 1;
+  return options;
+}
+
+struct Timed {
+  double stamp_s;
+  Cloud cloud;
+  SweepShares shares;
+};
+
+std::vector<Timed> sweeps(const testing::Scene& scene, const synthetic::Motion& motion, int count) {
+  std::vector<Timed> all;
+  for (int k = 0; k < count; ++k) {
+    const synthetic::Sweep sweep =
+        synthetic::scan({scene, {}}, small_lidar(), motion, static_cast<unsigned>(k + 1), k * kSweep_s);
+    all.push_back({k * kSweep_s, sweep.cloud, shares_from_times(sweep.times_s)});
+  }
+  return all;
+}
+
+const std::vector<Timed>& drive() {
+  static const std::vector<Timed> all = sweeps(street(), driving(), 8);
+  return all;
+}
+
+// The sensor at the middle of sweep k, in the frame of the middle of the first.
+Rigid3 true_pose(int k) { return inverse(driving()(0.5 * kSweep_s)) * driving()((k + 0.5) * kSweep_s); }
+
+TEST(LidarOdometry, FollowsASensorThatMovesDuringItsSweeps) {
+  LidarOdometry odometry(one_thread());
+  for (int k = 0; k < 8; ++k) {
+    const Timed& scan = drive()[static_cast<std::size_t>(k)];
+    const FrameReport report = odometry.add(scan.stamp_s, scan.cloud, scan.shares);
+    EXPECT_EQ(report.status, k == 0 ? FrameStatus::Started : FrameStatus::Tracked);
+    EXPECT_THAT(report.world_from_camera, NearPose(true_pose(k), 0.003, 0.03)) << "sweep " << k;
+  }
+}
+
+TEST(LidarOdometry, StandstillDoesNotDrift) {
+  const std::vector<Timed> all = sweeps(street(), synthetic::standing_at(street().world_from_camera), 4);
+  LidarOdometry odometry(one_thread());
+  for (const Timed& scan : all) {
+    const FrameReport report = odometry.add(scan.stamp_s, scan.cloud, scan.shares);
+    EXPECT_THAT(report.world_from_camera, NearPose(Rigid3{}, 0.0005, 0.003));
+  }
+}
+
+TEST(LidarOdometry, GivesTheSameBitsOnAnyNumberOfThreads) {
+  std::vector<Rigid3> first;
+  for (const int num_threads : {1, 2, 3}) {
+    LidarOptions options;
+    options.num_threads = num_threads;
+    LidarOdometry odometry(options);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Rigid3 pose = odometry.add(drive()[k].stamp_s, drive()[k].cloud, drive()[k].shares).world_from_camera;
+      if (num_threads == 1) first.push_back(pose);
+      EXPECT_EQ(pose.matrix(), first[k].matrix());
+    }
+  }
+}
+
+TEST(LidarOdometry, NamesTheAxisOfACorridor) {
+  const testing::Scene scene = synthetic::corridor();
+  const std::vector<Timed> all = sweeps(scene, synthetic::standing_at(scene.world_from_camera), 2);
+  LidarOdometry odometry(one_thread());
+  odometry.add(all[0].stamp_s, all[0].cloud);
+  const FrameReport report = odometry.add(all[1].stamp_s, all[1].cloud);
+  EXPECT_EQ(report.status, FrameStatus::Degenerate);
+  ASSERT_EQ(report.free_motions.size(), 1u);
+  EXPECT_GT(std::abs(report.free_motions[0].axis.x()), 0.99);
+}
+
+TEST(LidarOdometry, ALostScanDoesNotEndTheRun) {
+  const Cloud elsewhere =
+      synthetic::scan(synthetic::colonnade(), small_lidar(), synthetic::colonnade().world_from_camera, 1);
+  LidarOptions options = one_thread();
+  options.search = false;
+  LidarOdometry odometry(options);
+  for (std::size_t k = 0; k < 4; ++k) odometry.add(drive()[k].stamp_s, drive()[k].cloud, drive()[k].shares);
+  const FrameReport lost = odometry.add(drive()[4].stamp_s, elsewhere);
+  EXPECT_THAT(lost.status, ::testing::AnyOf(FrameStatus::Lost, FrameStatus::Doubtful));
+  const FrameReport found = odometry.add(drive()[5].stamp_s, drive()[5].cloud, drive()[5].shares);
+  EXPECT_EQ(found.status, FrameStatus::Tracked);
+  EXPECT_THAT(found.world_from_camera, NearPose(true_pose(5), 0.003, 0.03));
+}
+
+TEST(LidarOdometry, TellsWhatIsWrongWithAScan) {
+  LidarOdometry odometry(one_thread());
+  EXPECT_EQ(odometry.add(0.0, Cloud{}).status, FrameStatus::NoReadings);
+  EXPECT_EQ(odometry.add(1.0, drive()[0].cloud).status, FrameStatus::Started);
+  EXPECT_EQ(odometry.add(1.0, drive()[1].cloud).status, FrameStatus::OutOfOrder);
+  EXPECT_EQ(odometry.add(std::numeric_limits<double>::quiet_NaN(), drive()[1].cloud).status, FrameStatus::OutOfOrder);
+  EXPECT_THROW(odometry.add(2.0, drive()[1].cloud, {0.0f, 1.0f}), std::invalid_argument);
+}
+
+TEST(LidarOdometry, AStopLeavesEverythingAsItWas) {
+  std::stop_source stop;
+  LidarOptions options = one_thread();
+  options.stop = stop.get_token();
+  LidarOdometry odometry(options), undisturbed(one_thread());
+  odometry.add(drive()[0].stamp_s, drive()[0].cloud);
+  undisturbed.add(drive()[0].stamp_s, drive()[0].cloud);
+  stop.request_stop();
+  EXPECT_THROW(odometry.add(drive()[1].stamp_s, drive()[1].cloud), Interrupted);
+  EXPECT_EQ(odometry.map().points, undisturbed.map().points);
+}
+
+TEST(LidarOdometry, OptionsOutOfRangeAreRefused) {
+  LidarOptions options;
+  options.voxel_size = 0.0;
+  EXPECT_THROW(LidarOdometry{options}, std::invalid_argument);
+  options = {};
+  options.keyframe_distance_voxels = -1.0;
+  EXPECT_THROW(LidarOdometry{options}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/odometry/surface_map.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+#include "augicp/geometry/rotation.h"
+
+namespace augicp {
+namespace {
+
+SurfaceMapOptions voxels_of(double size) {
+  SurfaceMapOptions options;
+  options.voxel_size = size;
+  return options;
+}
+
+// z = 0.3 with a centimetre of noise, from -3 to 3 m.
+Cloud noisy_plane(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> place(-3.0f, 3.0f);
+  std::normal_distribution<float> noise(0.3f, 0.01f);
+  Cloud cloud;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float x = place(random), y = place(random);
+    cloud.points.emplace_back(x, y, noise(random));
+  }
+  return cloud;
+}
+
+Cloud vertical_line(float x, int count) {
+  Cloud cloud;
+  for (int i = 0; i < count; ++i)
+    cloud.points.emplace_back(x, 0.2f, 0.9f * static_cast<float>(i) / static_cast<float>(count) + 0.05f);
+  return cloud;
+}
+
+TEST(SurfaceMap, PointsOfAPlaneLieOnItWithItsNormal) {
+  SurfaceMap map(voxels_of(1.0));
+  map.add(noisy_plane(5000, 1), Rigid3{});
+  const Cloud surfaces = map.surfaces(Vec3d(0.5, 0.5, 0.0));
+  ASSERT_EQ(surfaces.size(), 36u);
+  EXPECT_EQ(surfaces.origin, Vec3d(0.5, 0.5, 0.0));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    EXPECT_EQ(surfaces.structures[i], Structure::Planar);
+    EXPECT_GT(std::abs(surfaces.directions[i].z()), 0.999f);
+    EXPECT_NEAR(surfaces.points[i].z(), 0.3f, 0.005f);
+  }
+}
+
+TEST(SurfaceMap, ScansMeetWhereTheirPosesPutThem) {
+  const Rigid3 map_from_scan{rotation_exp({0.3, -0.2, 1.0}), {40.0, -7.0, 2.0}};
+  SurfaceMap direct(voxels_of(0.5)), moved(voxels_of(0.5));
+  const Cloud plane = noisy_plane(4000, 2);
+  direct.add(plane, Rigid3{});
+  moved.add(transform(plane, map_from_scan), inverse(map_from_scan));
+  const Cloud a = direct.surfaces(Vec3d::Zero()), b = moved.surfaces(Vec3d::Zero());
+  ASSERT_GT(a.size(), 100u);
+  EXPECT_NEAR(static_cast<double>(a.size()), static_cast<double>(b.size()), 2.0);
+}
+
+// Four points a square metre are too few for voxels of a metre; together with their neighbours they show the plane.
+TEST(SurfaceMap, SparsePlanesAreThoseOfCoarserVoxels) {
+  SurfaceMap map(voxels_of(1.0));
+  map.add(noisy_plane(144, 3), Rigid3{});
+  const Cloud surfaces = map.surfaces(Vec3d::Zero());
+  ASSERT_GT(surfaces.size(), 20u);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    EXPECT_GT(std::abs(surfaces.directions[i].z()), 0.99f);
+    EXPECT_NEAR(surfaces.points[i].z(), 0.3f, 0.02f);
+  }
+}
+
+TEST(SurfaceMap, ALineIsAnEdgeOnlyAfterSeveralScans) {
+  SurfaceMap map(voxels_of(1.0));
+  for (int scan = 0; scan < 3; ++scan) {
+    EXPECT_TRUE(map.surfaces(Vec3d::Zero()).empty());
+    map.add(vertical_line(0.4f, 20), Rigid3{});
+  }
+  const Cloud surfaces = map.surfaces(Vec3d::Zero());
+  ASSERT_EQ(surfaces.size(), 1u);
+  EXPECT_EQ(surfaces.structures[0], Structure::Edge);
+  EXPECT_GT(std::abs(surfaces.directions[0].z()), 0.999f);
+}
+
+TEST(SurfaceMap, ForgetsWhatIsFarAndKeepsTheRest) {
+  SurfaceMap map(voxels_of(1.0));
+  map.add(noisy_plane(5000, 1), Rigid3{});
+  map.add(noisy_plane(5000, 2), {Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}});
+  map.forget_beyond(Vec3d(100.0, 0.0, 0.0), 20.0);
+  EXPECT_EQ(map.num_voxels(), 36u);
+  map.add(noisy_plane(5000, 3), {Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}});
+  EXPECT_EQ(map.num_voxels(), 36u);
+}
+
+TEST(SurfaceMap, DoesNotGrowWithScansOfTheSamePlace) {
+  SurfaceMap map(voxels_of(1.0));
+  for (unsigned scan = 0; scan < 50; ++scan) map.add(noisy_plane(2000, scan), Rigid3{});
+  EXPECT_EQ(map.num_voxels(), 36u);
+}
+
+TEST(SurfaceMap, DescribesPointsByTheirVoxels) {
+  SurfaceMap map(voxels_of(1.0));
+  map.add(noisy_plane(5000, 1), Rigid3{});
+  const Rigid3 map_from_cloud{rotation_exp({0.0, 1.0, 0.0}), {0.5, 0.5, 0.5}};
+  Cloud cloud;
+  cloud.points = {Vec3f::Zero(), {0.0f, 0.0f, 50.0f}};
+  map.describe(cloud, map_from_cloud);
+  EXPECT_EQ(cloud.structures[0], Structure::Planar);
+  const Vec3f expected = (map_from_cloud.rotation.conjugate() * Vec3d::UnitZ()).cast<float>();
+  EXPECT_GT(std::abs(cloud.directions[0].dot(expected)), 0.999f);
+  EXPECT_EQ(cloud.structures[1], Structure::None);
+}
+
+TEST(SurfaceMap, IgnoresPointsBeyondItsGridAndRefusesOddOptions) {
+  SurfaceMap map(voxels_of(0.01));
+  Cloud cloud;
+  cloud.points = {{3e4f, 0.0f, 0.0f}};
+  map.add(cloud, Rigid3{});
+  EXPECT_EQ(map.num_voxels(), 0u);
+  EXPECT_THROW(SurfaceMap(voxels_of(0.0)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A LiDAR measures its points one after the other while it moves: when each was measured, and what it would have seen
+// from one place.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "augicp/cloud/cloud.h"
+#include "augicp/geometry/rigid3.h"
+
+namespace augicp {
+
+// When each point of a sweep was measured, as a share of the sweep: 0 for its first point, 1 for its last. Empty:
+// unknown, or all at one moment.
+using SweepShares = std::vector<float>;
+
+// From times in any unit and from any zero. Empty where they are all the same. Throws std::invalid_argument for a time
+// that is not finite.
+SweepShares shares_from_times(std::span<const double> times);
+
+// For the points of a spinning sensor in the order in which it measured them, whatever the azimuth at which it began
+// and however much of a revolution it made: by how far the azimuth about z has come. Empty where the points are in
+// another order (ring by ring, sorted, downsampled), which shows as azimuths that do not advance evenly.
+SweepShares shares_from_order(const Cloud& cloud);
+
+// For one revolution, clockwise about z, that began and ended behind the sensor (negative x), in any order of the
+// points: 0.5 (1 - atan2(y, x) / pi). KITTI's scanner turns this way.
+SweepShares shares_from_azimuth(const Cloud& cloud);
+
+// The points as seen from where the sensor was in the middle of the sweep (share 0.5). first_from_last: its motion
+// during the sweep, taken as even. A cloud without shares stays as it is. Directions are turned as well.
+Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const Rigid3& first_from_last, int num_threads);
+
+}  // namespace augicp
