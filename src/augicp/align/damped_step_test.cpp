@@ -58,7 +58,7 @@ TEST(DampedStep, SameMotionWhateverTheUnitOfLength) {
   }
 }
 
-// One plane fixes three of the six motions: the others stay as they are, where damping says so.
+// One plane constrains three of the six motions; damping keeps the others at zero.
 TEST(DampedStep, WhatTheDataDoNotFixStaysStill) {
   NormalEquations equations;
   equations.H.diagonal() << 0.0, 0.0, 4.0, 2.0, 2.0, 0.0;

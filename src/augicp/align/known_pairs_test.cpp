@@ -33,8 +33,8 @@ void add_rotation_errors(const KnownPairs& known, const Objective& objective, Er
   }
 }
 
-// Of each objective: mean rotation error over the seeds before the first iteration and after each: one number more than
-// iterations, which are few where few pairs are false.
+// For each objective: mean rotation error over the seeds before the first iteration and after each. Few false pairs
+// need few iterations.
 std::vector<Errors> mean_rotation_errors(KnownPairsOptions options, const std::vector<Objective>& objectives) {
   std::vector<Errors> errors(objectives.size(), Errors(options.outlier_share > 0.5 ? 9 : 5, 0.0));
   for (options.seed = 1; options.seed <= kNumSeeds; ++options.seed) {
@@ -48,8 +48,8 @@ KnownPairsOptions options_with(double outlier_share, double normal_noise_deg = 5
   return {.outlier_share = outlier_share, .point_noise_m = 0.01, .normal_noise_rad = normal_noise_deg * kDegree};
 }
 
-// Iterations until the error is below kReached, with the last one counted in part as if the error fell by the same
-// factor all along it; infinity where it never is.
+// Iterations until the error is below kReached, with the last one counted in part, as if the error fell by a constant
+// factor along it; infinity if it never is.
 double iterations_needed(const Errors& errors) {
   for (std::size_t k = 1; k < errors.size(); ++k)
     if (errors[k] < kReached)
@@ -62,8 +62,9 @@ void record(const std::string& method, const Errors& errors) {
   ::testing::Test::RecordProperty(method + "_error_after_3", std::to_string(errors[3]));
 }
 
-// How many of GICP's iterations augmented needs at most. Table 2's lever of 1 m is short in a room of 10 m, so with K
-// as in the authors' program the gain is small; the narrower K, the more do directions help to tell false pairs early.
+// Upper limit of augmented's iterations, relative to GICP's. Table 2's lever of 1 m is short in a room of 10 m, so with
+// the K of the authors' program the gain is small. The narrower K, the more directions help to recognise false pairs
+// early.
 struct Case {
   std::string name;
   double outlier_share;

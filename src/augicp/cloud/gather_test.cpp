@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-// A cloud whose numbers tell their place.
+// A cloud with numbers that identify their point.
 Cloud numbered(std::size_t size) {
   Cloud cloud;
   for (std::size_t i = 0; i < size; ++i) {

@@ -80,13 +80,13 @@ TEST(VoxelGrid, OrderOfThePointsDoesNotMatter) {
   };
   expect_same();
   for (const Vec3f& point : random_cloud(5000, 1.0).points) {
-    cloud.intensities.push_back(std::exp(20.0f * point.x()));  // of which sums in another order differ
+    cloud.intensities.push_back(std::exp(20.0f * point.x()));  // its sums depend on the order
     cloud.weights.push_back(point.y());
   }
   expect_same();
 }
 
-// What else points have changes nothing of where they are.
+// Other attributes do not change the positions of points.
 TEST(VoxelGrid, PointsAreTheSameWithAllElse) {
   const Cloud bare = random_cloud(5000, 2.0);
   Cloud cloud = bare;
@@ -110,7 +110,7 @@ TEST(VoxelGrid, LonePointsStayAsTheyAre) {
   EXPECT_THAT(downsample(cloud, 1.0).points, ::testing::UnorderedElementsAreArray(cloud.points));
 }
 
-// Of as many cells along an axis as there may be, the last is not the first.
+// With the largest number of cells along an axis, the last is not the first.
 TEST(VoxelGrid, TheLastCellIsACellOfItsOwn) {
   Cloud cloud;
   cloud.points = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}};

@@ -69,7 +69,7 @@ TEST(Association, TakesTheNearestStamp) {
 TEST(Association, IsOneToOne) {
   EXPECT_THAT(pairs({1.0, 1.01}, {1.012}), ElementsAre(Pair(1, 0)));
   EXPECT_THAT(pairs({1.012}, {1.0, 1.01}), ElementsAre(Pair(0, 1)));
-  // What lost its nearest takes the second nearest, here across the pair that took it.
+  // A pose that lost its nearest takes the second nearest, here across the pair that took it.
   EXPECT_THAT(pairs({1.0, 1.01}, {1.012, 1.015}), ElementsAre(Pair(0, 1), Pair(1, 0)));
 }
 

@@ -136,7 +136,7 @@ TEST(Evaluate, SimilarityAlignmentRecoversTheScaleForAllErrors) {
   EXPECT_GT(evaluate(small, truth).relative->translation.rmse, 0.01);
 }
 
-// A camera that goes straight ahead by a metre a frame, and an estimate that believes it turns by 0.1 rad a frame.
+// A camera that goes straight ahead by a metre a frame, and an estimate that rotates by 0.1 rad a frame.
 TEST(Evaluate, RelativeErrorOfASteadyTurn) {
   Trajectory truth, estimate;
   const Rigid3 step{Eigen::Quaterniond::Identity(), {0, 0, 1}}, turning_step{rotation_exp({0, 0.1, 0}), {0, 0, 1}};

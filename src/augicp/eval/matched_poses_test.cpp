@@ -88,10 +88,10 @@ TEST(MatchedPoses, MillisecondsInsteadOfSecondsAreSeen) {
     EXPECT_THAT(refusal(with_stamps(estimate, 0.0, factor), truth), HasSubstr(of_estimate));
     EXPECT_THAT(refusal(estimate, with_stamps(truth, 0.0, factor)),
                 HasSubstr(std::string("stamps of the truth are ") + name));
-    // Also where both begin at 0, which makes the first poses match by chance.
+    // Also if both begin at 0, so that the first poses match by chance.
     const std::string of_both = refusal(with_stamps(estimate, kStart_s, factor), with_stamps(truth, kStart_s, 1.0));
     EXPECT_THAT(of_both, AllOf(HasSubstr("only "), HasSubstr(of_estimate)));
-    // And where the clocks differ too, so that only how long they last tells.
+    // And if the clocks differ too, so that only the durations show it.
     EXPECT_THAT(refusal(with_stamps(estimate, kStart_s, factor), truth),
                 HasSubstr(std::string("are the estimate's in ") + name));
     EXPECT_THAT(refusal(estimate, with_stamps(truth, kStart_s, factor)),

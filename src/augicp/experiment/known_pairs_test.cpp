@@ -66,7 +66,7 @@ TEST(KnownPairs, NoiseHasTheStatedSize) {
   for (const Correspondence& pair : known.pairs) {
     squared_distance += point_error(known, pair).squaredNorm();
     if (known.target.structures[pair.target] != Structure::Planar) continue;
-    const Vec3f& normal = known.target.directions[pair.target];  // the clean one lies along an axis
+    const Vec3f& normal = known.target.directions[pair.target];  // the exact one is along an axis
     squared_angle += std::pow(std::acos(std::min(1.0f, normal.cwiseAbs().maxCoeff())), 2);
     ++num_planar;
   }

@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-// A camera that turns ever another way; poses every 10 ms from 0 to 5 s.
+// A camera with a changing rotation; poses every 10 ms from 0 to 5 s.
 Rigid3 world_from_camera(double stamp_s) {
   const Vec3d turn(std::sin(2.0 * stamp_s), std::cos(3.0 * stamp_s), 0.5 * std::sin(stamp_s));
   return {rotation_exp(0.5 * turn), Vec3d(stamp_s, 0.0, 0.0)};

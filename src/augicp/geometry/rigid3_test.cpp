@@ -98,7 +98,7 @@ TEST(Rigid3, RoundedMatrixBecomesTheNearestRotation) {
   EXPECT_THAT(read, NearPose(exact, 1e-4, 1e-4));
 }
 
-// Its own matrix is as near to a rotation as numbers come, and a power of two in the last row is told exactly.
+// The matrix of a pose is a rotation up to the last digits, and a power of two in the last row is exact.
 TEST(Rigid3, WhatIsWithinTheToleranceIsRead) {
   const Mat4d exact = Rigid3{Eigen::Quaterniond(0.0, 0.0, 1.0, 0.0), Vec3d(1.0, 2.0, 3.0)}.matrix();
   EXPECT_NO_THROW(rigid3_from_matrix(exact, 0.0));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of poses and cameras where numbers are written with a comma; clouds and single numbers have a test of their
-// own.
+// Files of poses and cameras in a locale with a decimal comma; clouds and single numbers have their own test.
 #include <gtest/gtest.h>
 
 #include <cstdio>

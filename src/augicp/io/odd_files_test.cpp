@@ -17,7 +17,7 @@ namespace {
 struct OddFile {
   const char* name;
   std::size_t num_points;  // 0: an error
-  const char* says;        // part of the error, or of a warning, or empty
+  const char* says;        // a part of the error or of a warning; or empty
 };
 
 constexpr OddFile kOddFiles[] = {

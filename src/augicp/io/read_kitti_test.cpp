@@ -54,7 +54,7 @@ TEST(ReadKitti, EmptyFullAndNotFiniteFilesAreErrors) {
   EXPECT_NE(testing::refusal("a.bin", sweep(), {.max_points = 2}), "");
 }
 
-// Of what float keeps: coordinates that are float already.
+// Coordinates that are float already lose nothing.
 TEST(ReadKitti, FarCoordinatesLoseNothing) {
   for (const float offset : {1e3f, 1e6f, 1e7f}) {
     const Cloud cloud = parse("a.bin", packed<float>({offset, -offset, 1, 0, offset + 1, -offset - 1, 2, 0})).cloud;

@@ -81,7 +81,7 @@ TEST(ReadPly, ABinaryBodyMayStartWithTheByteOfALineEnd) {
 
 struct TypeCase {
   const char* names[2];
-  std::string bytes;  // of the number -3, or 253 where the type has no sign
+  std::string bytes;  // -3, or 253 if the type is unsigned
   double value;
 };
 

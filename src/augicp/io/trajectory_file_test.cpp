@@ -27,7 +27,7 @@ constexpr const char* kText =
 
 Trajectory parse(const std::string& text) { return parse_tum_trajectory({"a.txt", text}).trajectory; }
 
-// The message of the IoError that a text gives, or nothing where it is read.
+// The message of the IoError for a text, or empty if it is read.
 std::string refusal(const std::string& text) {
   try {
     parse(text);

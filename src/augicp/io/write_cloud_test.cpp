@@ -61,7 +61,7 @@ void expect_equal(const Cloud& found, const Cloud& expected) {
 constexpr const char* kNames[] = {"cloud.ply", "cloud.pcd"};
 constexpr FileEncoding kEncodings[] = {FileEncoding::Binary, FileEncoding::Ascii};
 
-// Without directions, and where some are not known, which is not equal to itself.
+// Without directions, and with unknown intensities, which do not equal themselves.
 TEST(WriteCloud, IntensitiesSurvive) {
   const testing::TemporaryFolder folder;
   for (const char* name : kNames)

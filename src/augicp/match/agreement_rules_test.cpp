@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a target says of a single point, in words and in numbers; both matchers are asked.
+// Agreement of a target with a single point, in words and in numbers, for both matchers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -96,7 +96,7 @@ TEST(AgreementRules, OnlyPlanesReachBeyondTheTolerance) {
   }
 }
 
-// The cosine asked for unless told otherwise is 0.85, that of 31.8 degrees.
+// The default cosine is 0.85, that of 31.8 degrees.
 TEST(AgreementRules, NormalsAreComparedBetweenPlanes) {
   expect_both({.turned_deg = 31.0}, Said::Agrees);
   expect_both({.turned_deg = 33.0}, Said::Differs);
@@ -149,8 +149,8 @@ TEST(AgreementRules, APixelReachesHalfWayToItsNeighbours) {
     }
 }
 
-// It begins half a pixel before the centres of its first pixels and ends half a pixel behind the last: told exactly,
-// for every number here is a sum of powers of two.
+// It begins half a pixel before the centres of its first pixels and ends half a pixel after the last. Exact, because
+// every number here is a sum of powers of two.
 TEST(AgreementRules, AnImageBeginsAndEndsHalfAPixelAroundItsCentres) {
   constexpr Pinhole kExact{64.0, 64.0, 31.5, 23.5, 64, 48};
   const OrganizedCloud target = unproject({64, 48, std::vector<float>(64 * 48, kDepth)}, kExact);

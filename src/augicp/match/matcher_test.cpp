@@ -22,7 +22,7 @@ using testing::random_extended_points;
 
 constexpr Pinhole kCamera{50.0, 60.0, 31.5, 23.5, 64, 48};
 
-// What a camera sees, with directions that nothing ties to it.
+// The view of a camera, with arbitrary directions.
 OrganizedCloud random_target(unsigned seed, const Pinhole& camera = kCamera) {
   std::mt19937 generator(seed);
   DepthImage image{camera.width, camera.height,
@@ -122,7 +122,7 @@ void drop_unknown_viewpoints(const Case& one, Cloud& source, Cloud& target) {
   if (!one.target_viewpoint) target.viewpoint.reset();
 }
 
-// Half of the source's directions are turned round, so that signs matter.
+// Half of the source's directions are flipped, so that signs matter.
 Cloud with_some_opposite(Cloud cloud) {
   for (std::size_t i = 0; i < cloud.size(); i += 2) cloud.directions[i] = -cloud.directions[i];
   return cloud;
@@ -140,7 +140,7 @@ TEST(NearestMatcher, PairsAreTheBruteForceOnesInSourceOrder) {
   }
 }
 
-// Of one pose after the other, far and near, under gates that close and open: what is remembered changes nothing.
+// Poses one after the other, far and near, with closing and opening gates: the memory changes nothing.
 TEST(Matcher, SessionOfManyPosesIsThatOfEachForAnyNumberOfThreads) {
   const OrganizedCloud target = random_target(5);
   const Cloud source = source_near(target.cloud, 6);
@@ -193,7 +193,7 @@ TEST(ProjectiveMatcher, PairsOfPointsSideBySideAreThoseOfALoopOverPixels) {
   }
 }
 
-// What a camera sees of a wall, without directions: a point in every pixel but those left out.
+// The view of a camera on a wall, without directions: a point in every pixel except the omitted ones.
 OrganizedCloud wall_without(float depth, const std::vector<int>& pixels) {
   DepthImage image{kCamera.width, kCamera.height, std::vector<float>(kCamera.width * kCamera.height, depth)};
   for (const int pixel : pixels) image.depth[pixel] = std::nanf("");
@@ -223,7 +223,7 @@ TEST(ProjectiveMatcher, TheDistanceGateIsWhereItIsSaidToBe) {
   EXPECT_EQ(matcher.match(source.cloud, Rigid3{}, gates, 1).size(), target.cloud.size() - 4);
 }
 
-// More pixels than one block holds: what the blocks find is put together without gaps.
+// More pixels than in one block: the results of blocks are joined without gaps.
 TEST(ProjectiveMatcher, BlocksOfPixelsJoin) {
   const Pinhole camera{200.0, 200.0, 109.5, 89.5, 220, 180};
   const OrganizedCloud target = random_target(6, camera);

@@ -213,8 +213,7 @@ TEST(Intensity, PairsWithSomethingUnknownDoNotCount) {
   EXPECT_TRUE(linearize(two, Rigid3{}, {1.0}).H.allFinite());
 }
 
-// Clouds that have brightness and gradients, of which no pair can be compared: nothing is held, and nothing is divided
-// by nothing.
+// Clouds with brightness and gradients, but no comparable pair: nothing is constrained, and nothing is divided by zero.
 TEST(Intensity, WhereNoPairIsKnownNothingIsHeld) {
   TwoClouds two = random_pairs(50, 12);
   for (Vec3f& gradient : two.target.intensity_gradients) gradient.setZero();

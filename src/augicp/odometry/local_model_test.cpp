@@ -16,7 +16,7 @@ namespace {
 
 const MergeOptions kMerge;
 
-// What a noisy camera sees of a room from a place near the scene's own, with its surface.
+// The view of a noisy camera on a room from near the scene's own place, with its surface.
 Scan seen_from(const Rigid3& scene_camera_from_camera, unsigned noise_seed) {
   const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(80);

@@ -178,7 +178,7 @@ TEST(Odometry, IgnoresFramesOutOfOrder) {
   EXPECT_THAT(next.world_from_camera, NearPose(first_from_camera(6), 0.01, 0.02));
 }
 
-// robustness 17: the same image under new stamps, as some recorders write where the sensor gave none.
+// robustness 17: the same image under new stamps, as some recorders write if the sensor gave none.
 TEST(Odometry, StandsStillOverRepeatedImages) {
   Odometry odometry(small_images());
   for (int k = 0; k < 6; ++k) odometry.add(k * kFramePeriod_s, frame(k));
@@ -190,7 +190,7 @@ TEST(Odometry, StandsStillOverRepeatedImages) {
   }
 }
 
-// A fast camera with a rolling shutter: every row is rendered from where the camera was then.
+// A fast camera with a rolling shutter: every row is rendered from the camera's place at that time.
 Scan skewed_frame(int k, double readout_s) {
   const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(80);
@@ -234,7 +234,7 @@ TEST(Odometry, RefusesOptionsOutOfTheirRange) {
 
 TEST(Odometry, AFrameThatContradictsTheModelIsMarkedAndNotMerged) {
   OdometryOptions options = small_images();
-  options.max_strain = 1e-6;  // what no frame keeps to
+  options.max_strain = 1e-6;  // a limit that no frame meets
   options.max_lost = 3;
   Odometry odometry(options);
   odometry.add(0.0, frame(0));
@@ -263,7 +263,7 @@ TEST(OdometryInterrupted, IsAsItWasBefore) {
   }
 }
 
-// As the lists of frames say them.
+// As in the lists of frames.
 TEST(FrameStatus, EveryOneHasItsName) {
   const std::pair<FrameStatus, const char*> names[] = {{FrameStatus::Started, "started"},
                                                        {FrameStatus::Tracked, "tracked"},

@@ -138,8 +138,7 @@ class RepeatedFrames : public FrameSource {
   int count_, next_ = 0;
 };
 
-// What the process has allocated and not given back, exactly: it tells a leak after fewer frames than the resident
-// memory.
+// Allocated and not freed memory, exactly: it shows a leak after fewer frames than the resident memory.
 double held_megabytes() {
   const struct mallinfo2 heap = ::mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6;

@@ -32,8 +32,8 @@ TEST(Covariance, IsSymmetricAndPositive) {
 
 TEST(Covariance, OfADegenerateProblemThereIsNone) { EXPECT_FALSE(noisy(testing::single_plane(), 1).covariance); }
 
-// How the errors of runs spread about their mean, by what is told of them: 1 where the covariance is right. Of 20 runs
-// it is known to 0.13.
+// The squared errors of runs about their mean, normalised by the stated covariance: 1 if it is right. 20 runs give it
+// to 0.13.
 TEST(Covariance, TellsTheSpreadOfErrors) {
   constexpr int kRuns = 20;
   for (const bool as_clouds : {false, true}) {

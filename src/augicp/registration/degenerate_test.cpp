@@ -75,7 +75,7 @@ TEST(Degenerate, NoisyScenesNameWhatIsFree) {
       expect_names(family, aligned(family, {}, testing::kKinectSigmaAt1m, seed));
 }
 
-// A wall: how far it is and how it is turned is found; along it and about its normal the guess stays.
+// A wall: its distance and its normal are found; along it and about its normal the pose stays at the guess.
 TEST(Degenerate, AWallHoldsThreeMotionsAndLeavesThree) {
   const Family wall = families().front();
   const Rigid3 motion{Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Vec3d(0.6, 0.0, 0.8))), {0.03, 0.02, 0.05}};
@@ -87,10 +87,10 @@ TEST(Degenerate, AWallHoldsThreeMotionsAndLeavesThree) {
     const Rigid3 wrong = inverse(motion) * found;
     const Vec3d turned = wrong.rotation * normal;
     EXPECT_LT(std::acos(std::min(1.0, turned.dot(normal))), 0.2 * kDegree) << noise;
-    // Seen along the optical axis, where the wall is met about 2 m away.
+    // Seen along the optical axis, with the wall about 2 m away.
     const Vec3d middle(0.0, 0.0, 2.0);
     EXPECT_NEAR(normal.dot(found * middle - motion * middle), 0.0, 0.005) << noise;
-    // What is free has not moved beyond what the turn of the wall brings with it.
+    // Free motions are zero, except for the effect of the wall's rotation.
     const Eigen::AngleAxisd turn(found.rotation);
     EXPECT_LT(std::abs(turn.angle() * turn.axis().dot(normal)), 0.5 * kDegree) << noise;
   }

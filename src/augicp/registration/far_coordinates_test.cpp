@@ -17,7 +17,7 @@ constexpr double kOffsets[] = {1e3, 1e6, 1e7};
 
 Vec3d shift_of(double offset) { return {offset, -0.7 * offset, 0.5 * offset}; }
 
-// Rounded to a quarter of a millimetre, so that a double holds the moved points exactly at every offset.
+// Rounded to a quarter of a millimetre, so that a double represents the moved points exactly at every offset.
 Scan read_with(const Vec3d& shift, const Scan& scan) {
   constexpr double kStep = 1.0 / 4096.0;
   PointSource points;
@@ -39,8 +39,8 @@ AlignResult registered(const Scan& source, const Scan& target) {
   return register_scans(source, target, Rigid3{}, options).result;
 }
 
-// The farthest that the two poses bring a point of the cloud apart, metres: far from zero a pose's own translation says
-// nothing.
+// The largest distance between the images of a point of the cloud under the two poses, metres. Far from zero the
+// translation of a pose alone has no meaning.
 double largest_gap(const Rigid3& far, const Rigid3& near, const Vec3d& shift, const Cloud& source) {
   double largest = 0.0;
   for (const Vec3f& point : source.points) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the third measurement holds, and that it changes nothing where it is off or missing.
+// The constraints of the third measurement, and that it changes nothing if it is off or missing.
 #include <gtest/gtest.h>
 
 #include <cmath>

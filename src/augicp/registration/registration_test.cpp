@@ -78,7 +78,7 @@ TEST(Registration, ScaleDoesNotMatter) {
   }
 }
 
-// robustness 16: permuting the points, and any number of threads, give the same bits.
+// robustness 16: results are bit-identical under a permutation of the points, and for any number of threads.
 TEST(Registration, OrderAndThreadsDoNotMatter) {
   const Pair pair = room_clouds();
   const AlignResult expected = register_scans(pair.source, pair.target).result;
@@ -94,7 +94,7 @@ TEST(Registration, OrderAndThreadsDoNotMatter) {
   }
 }
 
-// robustness 15: far coordinates. The pose is compared where the points are.
+// robustness 15: far coordinates. The pose is compared at the points.
 TEST(Registration, FarOriginsDoNotMatter) {
   Pair pair = room_clouds();
   const AlignResult near = register_scans(pair.source, pair.target).result;
@@ -134,8 +134,8 @@ TEST(Registration, HopelessInputFails) {
   }
 }
 
-// robustness 10, 12: clouds on which what is quick on others could take the square of the time. With as many points as
-// here that would be hours.
+// robustness 10, 12: clouds on which code that is fast on others could take quadratic time. With this many points that
+// would be hours.
 TEST(Registration, PathologicalCloudsEnd) {
   constexpr std::size_t kCount = 100000;
   const auto cloud_of = [](const auto& place) {
@@ -221,7 +221,7 @@ TEST(Lengths, FollowTheCloud) {
   EXPECT_EQ(robust_extent(Scan{}), 0.0);
 }
 
-// Walls and the like leave a motion open, and the status says so.
+// A wall leaves motions free, and the status is Degenerate.
 TEST(Registration, OneWallIsDegenerate) {
   const Pinhole camera = testing::kinect_like_camera(160);
   const DepthImage wall = testing::render(testing::single_plane(), camera).depth;
@@ -254,7 +254,8 @@ TEST(RegistrationInterrupted, FromAnotherThread) {
   }
 }
 
-// What comes back is enough to draw the result: the pairs index the prepared scans, and a prepared pair gives the same.
+// The result suffices to draw it: the pairs are indices of the prepared scans, and a prepared pair gives the same
+// result.
 TEST(Registration, TheDoorReturnsWhatItKnows) {
   const Pair pair = room_clouds();
   const Registration found = register_scans(pair.source, pair.target);

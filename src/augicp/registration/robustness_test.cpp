@@ -21,7 +21,7 @@ bool is_near(const Rigid3& found, const Rigid3& expected) {
   return angle_between(found, expected) < 0.05 && (found.translation - expected.translation).norm() < 0.1;
 }
 
-// The pair as bare clouds, the source spoilt. True where the pose is right.
+// The pair as bare clouds, the source corrupted. True if the pose is right.
 bool registers(const std::function<void(Cloud&, std::mt19937&)>& spoil) {
   const testing::ScanPair pair = testing::room_pair(kMotion);
   Cloud source = pair.source.cloud;
@@ -54,7 +54,7 @@ Cloud one_of(std::uint32_t step, const Cloud& cloud) {
   return select(cloud, chosen);
 }
 
-// Of every sixth point, since what is looked for in vain takes long.
+// On every sixth point, because vain searches take long.
 TEST(Robustness13, OutliersFromATenthToFourFifths) {
   for (const double share : {0.1, 0.4, 0.8}) {
     const bool is_right = registers([&](Cloud& cloud, std::mt19937& generator) {
@@ -76,7 +76,7 @@ TEST(Robustness13, AThirdMoves) {
   });
 }
 
-// Normals that came with the cloud, half of them turned round: without a sensor's place their sign says nothing.
+// Normals from the file, half of them flipped: without the sensor's position their sign has no meaning.
 TEST(Robustness13, NormalsTurnedRound) {
   const testing::ScanPair pair = testing::room_pair(kMotion);
   const Lengths lengths = lengths_for(pair.source, pair.target, {});

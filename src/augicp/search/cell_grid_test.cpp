@@ -25,7 +25,7 @@ Cloud random_cloud(int count, double size, const Vec3d& corner) {
   return cloud;
 }
 
-// What is around each cell, in ascending order.
+// The points around each cell, in ascending order.
 std::vector<std::vector<std::uint32_t>> around_cells(const CellGrid& grid, std::size_t first_cell = 0) {
   std::vector<std::vector<std::uint32_t>> around(grid.num_cells() - first_cell);
   CellGrid::Walk walk(grid, first_cell);
@@ -87,8 +87,8 @@ TEST(CellGrid, NothingIsMissedBesideAFarOutlier) {
   }
 }
 
-// robustness 10: neither far outliers nor a distance near zero puts points into few cells, of which all pairs would be
-// looked at.
+// robustness 10: neither far outliers nor a distance near zero put the points into few cells, which would mean all
+// pairs.
 TEST(CellGrid, CellsHoldFewPoints) {
   Cloud cloud = random_cloud(2000, 1.0, Vec3d(5.0, -5.0, 0.0));
   const std::size_t num_cells = CellGrid(cloud, 0.01).num_cells();

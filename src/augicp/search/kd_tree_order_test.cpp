@@ -141,8 +141,8 @@ TEST(KdTreeOrder, QueriesThatAreNotFiniteFindNothing) {
   EXPECT_FALSE(tree.nearest(cloud.points[0], -1.0f));
 }
 
-// robustness 10: as many points in one place, in two, and in one among others. Were all of them looked at, these
-// queries would take hours.
+// robustness 10: many points in one place, in two, and in one among others. If all of them were visited, these queries
+// would take hours.
 TEST(KdTreeOrder, HeapsOfEqualPointsCostNoMoreThanOthers) {
   constexpr std::size_t kCount = 100000;
   const Vec3f place(0.1f, 0.2f, 0.3f), other(0.1f, 0.2f, 0.4f);

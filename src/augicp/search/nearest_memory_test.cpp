@@ -127,8 +127,8 @@ TEST(NearestMemory, NoPointIsFoundAtTheGate) {
   }
 }
 
-// Four points, one of which is not remembered: straight away from the nearest to halfway between these two, where what
-// is left of the last digits tells which of them is nearer.
+// Four points, one of them not remembered. The query moves straight away from the nearest to the middle between these
+// two; the last digits decide which is nearer.
 TEST(NearestMemory, RoundingHidesNoPoint) {
   std::mt19937 generator(9);
   for (int trial = 0; trial < 20000; ++trial) {

@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-// Each reading tells the pixel it came from.
+// Each reading is the number of its pixel.
 DepthImage numbered_image(int width, int height) {
   DepthImage image{width, height, {}};
   for (int i = 0; i < width * height; ++i) image.depth.push_back(static_cast<float>(i + 1));

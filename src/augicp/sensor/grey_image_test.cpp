@@ -35,7 +35,7 @@ TEST(GreyImage, ImagesOfAnotherSizeAreRefused) {
   EXPECT_THROW(rectify(GreyImage{640, 480, {}}, *camera_by_name("tum-fr1")), std::invalid_argument);
 }
 
-// A lens moves both images alike: where depth came from a pixel, brightness came from the same one.
+// A lens distorts both images alike: brightness comes from the pixel that the depth comes from.
 TEST(GreyImage, IsRectifiedAsTheDepthImageIs) {
   const DepthCamera camera = *camera_by_name("tum-fr1");
   const GreyImage grey = ramp(640, 480);

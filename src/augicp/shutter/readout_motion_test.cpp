@@ -15,7 +15,7 @@ namespace {
 
 using testing::NearPose;
 
-// A camera that turns to and fro: while it reads the source it turns one way, and the other way for the target.
+// A camera that rotates to and fro: one way during the readout of the source, the other way during that of the target.
 struct Swing {
   Scan source, target;
   Rigid3 target_from_source{rotation_exp({0.02, -0.03, 0.01}), {0.03, 0.0, -0.02}};
@@ -53,7 +53,7 @@ TEST(ReadoutMotion, AStillCameraIsLeftAsItIs) {
   const Scan scan = prepare(raw, lengths_for(raw, raw, {}), {});
   std::vector<Correspondence> same;
   for (std::uint32_t i = 0; i < scan.cloud.size(); ++i) same.push_back({i, i});
-  // Exact pairs leave no error at all, and no error says nothing: the motion stays as it was.
+  // Exact pairs leave no error, and without errors the motion stays unchanged.
   const ReadoutMotion motion = improved({}, {scan, scan, scan, scan}, same, {});
   EXPECT_THAT(motion.source, NearPose(Rigid3{}, 1e-6, 1e-6));
   EXPECT_THAT(motion.target, NearPose(Rigid3{}, 1e-6, 1e-6));

@@ -30,7 +30,7 @@ TEST(PartOf, PartsOfATurnAddUp) {
   EXPECT_THAT(part_of(turn, -1.0), NearPose(inverse(turn), 1e-12, 0.0));
 }
 
-// A room seen row by row by a camera that turns 3 degrees and moves 3 cm during a readout.
+// A room seen row by row by a camera that rotates by 3 degrees and moves by 3 cm during a readout.
 struct Skewed {
   Scan scan;
   Rigid3 world_from_middle;

@@ -30,7 +30,7 @@ Channels random_channels(std::size_t count, unsigned seed) {
   return values;
 }
 
-// All points within the radius; where they are too few, the nearest min_points of those within max_radius.
+// All points within the radius; if there are too few, the nearest min_points of those within max_radius.
 Channels brute_force_sum(const Cloud& cloud, const BallOptions& options, const Channels& values) {
   Channels sums = Channels::Zero(values.rows(), values.cols());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -68,7 +68,7 @@ TEST(BallNeighbourhood, DuplicatesCountOneByOne) {
   EXPECT_TRUE((BallNeighbourhood(cloud, {0.01, 0, 0.0}, 0).sum(ones, 0) == 20.0).all());
 }
 
-// A ball whose squared radius is no float above zero holds nothing, and costs nothing on any number of points.
+// A ball whose squared radius rounds to zero in float is empty, and takes no time on any number of points.
 TEST(BallNeighbourhood, BallsTooSmallForFloatAreEmpty) {
   Cloud cloud;
   cloud.points.assign(200000, Vec3f(1.0f, 2.0f, 3.0f));

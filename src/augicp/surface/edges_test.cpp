@@ -151,7 +151,7 @@ Scene box_seen_from(double azimuth_rad) {
 }
 Scene box_from_its_corner() { return box_seen_from(-2.1); }  // its faces at 46, 66 and 69 degrees
 
-// One face at 82 degrees: few of its pixels lie in a ball, so that the other face outvotes it. A known limit.
+// One face at 82 degrees: few of its pixels are in a ball, so that the other face dominates. A known limit.
 Scene box_askew() { return box_seen_from(-2.36); }
 
 struct EdgeCase {

@@ -56,7 +56,7 @@ Cloud fold(int count) {
   return cloud;
 }
 
-// Unit directions where there is a structure, zero where there is none; nothing that is not a number.
+// Unit directions for points with a structure, zero for the others; no NaN.
 void expect_well_formed(const Cloud& cloud) {
   ASSERT_EQ(cloud.directions.size(), cloud.size());
   ASSERT_EQ(cloud.structures.size(), cloud.size());

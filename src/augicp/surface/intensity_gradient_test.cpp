@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRadius = 0.1;
 
-// Random points of a square metre of the plane x = (a, b, 0), turned by a motion, with a brightness of (a, b).
+// Random points of a square metre of the plane x = (a, b, 0), moved, with a brightness of (a, b).
 template <typename Brightness>
 Cloud plane(const Rigid3& motion, const Brightness& brightness, int count = 2000) {
   std::mt19937 generator(3);
@@ -79,7 +79,7 @@ TEST(IntensityGradient, IsZeroOnALine) {
   for (const Vec3f& gradient : line.intensity_gradients) EXPECT_TRUE(gradient.isZero(0.0f));
 }
 
-// Or a bare wall would be held by its noise.
+// Otherwise the noise of a bare wall would constrain it.
 TEST(IntensityGradient, NoiseIsHardlyEverTakenForTexture) {
   std::mt19937 generator(8);
   std::normal_distribution<double> noise(0.0, 1.0);

@@ -8,7 +8,7 @@
 namespace augicp {
 namespace {
 
-// Of the closed form, relative to the largest eigenvalue.
+// Accuracy of the closed form, relative to the largest eigenvalue.
 constexpr double kDigits = 1e-8;
 
 Eigen3 eigen_with(double l0, double l1, double l2) {

@@ -77,7 +77,7 @@ TEST(SymmetricBatch, AgreesWithTheIterativeSolver) {
     const Eigen3 expected = eigen_of_symmetric(matrices[i]);
     const Vec3d l = expected.values / expected.values.sum();
     EXPECT_LT((found[i].values - expected.values).norm(), 1e-3 * expected.values.sum()) << l.transpose();
-    // What float leaves of a vector depends on how far its eigenvalue is from the next.
+    // The accuracy of a vector in float depends on the distance of its eigenvalue from the next.
     const double gap_below = l[1] - l[0], gap_above = l[2] - l[1];
     if (gap_below > 1e-3) {
       EXPECT_NEAR(found[i].values[0] / expected.values.sum(), l[0], 2e-6 + 2e-8 / gap_below) << l.transpose();

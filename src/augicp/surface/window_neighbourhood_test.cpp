@@ -43,7 +43,7 @@ Channels random_channels(std::size_t count) {
   return values;
 }
 
-// Its documented region: from the pixel along its column, from each point met there along the row, as the arms say.
+// The documented region: from the pixel along its column, and from each point there along the row, as far as the arms.
 Eigen::ArrayXd sum_over_arms(const IndexImage& index, const std::vector<Arms>& arms, const Channels& values, int u,
                              int v) {
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(values.rows());
@@ -90,8 +90,8 @@ Agreement agreement(const Cloud& a, const Cloud& b, double max_angle_deg) {
   return {static_cast<double>(num_near) / num_planar, static_cast<double>(num_same) / static_cast<double>(a.size())};
 }
 
-// The fast window is a square of the ball's area on each surface. Without noise both agree but for the rims of edges;
-// with noise, and some 60 points in a ball, the normals of different samples of one plane differ by a degree or two.
+// The fast window is a square of the ball's area on each surface. Without noise both agree except at the rims of edges.
+// With noise, and some 60 points in a ball, the normals of different samples of one plane differ by a degree or two.
 TEST(WindowNeighbourhood, AgreesWithTheExactBall) {
   for (const auto& [sigma_at_1m, max_angle_deg] : {std::pair{0.0, 1.0}, {kKinectSigmaAt1m, 5.0}}) {
     for (const Scene& scene : {box_on_table(), depth_step()}) {

@@ -14,7 +14,7 @@ namespace {
 using testing::random_motion;
 using testing::uniform;
 
-// Windows that all hold normals with these eigenvalues of their mean outer product, turned at random.
+// Windows of normals with these eigenvalues of their mean outer product, rotated at random.
 WindowBatch normals_with(std::mt19937& generator, const Vec3d& values) {
   WindowBatch windows;
   for (int k = 0; k < kBatch; ++k) {
@@ -119,7 +119,7 @@ TEST(WindowShapes, LinesAndFewNormalsHaveNoSpread) {
   EXPECT_EQ(few.structures[5], Structure::Planar);
 }
 
-// Windows of too few points may have anything in place of a direction.
+// Windows of too few points may have any direction.
 TEST(WindowShapes, WhatHasNoStructureHasNoDirection) {
   StructureBatch structures = {};
   VectorBatch directions = {};

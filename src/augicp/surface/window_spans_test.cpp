@@ -37,7 +37,7 @@ struct Spans {
   std::vector<Span> in_row, in_column;
 };
 Spans window_spans(const OrganizedCloud& seen, const WindowOptions& options, int num_threads) {
-  const std::vector<Span> before(seen.index.index.size(), Span{3, 5});  // of which nothing must be left
+  const std::vector<Span> before(seen.index.index.size(), Span{3, 5});  // all of it must be overwritten
   Spans spans{before, before};
   find_window_spans(seen.cloud, seen.index, options, num_threads,
                     {seen.index.width, seen.index.height, spans.in_row, spans.in_column});

@@ -47,7 +47,7 @@ Cloud plain(const OrganizedCloud& seen, double radius, const SurfaceOptions& opt
 
 struct Differences {
   std::size_t structures = 0;  // points of another structure
-  std::size_t directions = 0;  // of the same, but turned by more than the angle asked for
+  std::size_t directions = 0;  // points with the same structure but another direction
 };
 
 Differences differences(const Cloud& a, const Cloud& b, double max_angle_deg) {
@@ -73,14 +73,13 @@ TEST(WindowSurface, EqualsThePlainWayButForRounding) {
         const Differences found = differences(fast(seen, 0.05, options), plain(seen, 0.05, options), 0.1);
         const double count = static_cast<double>(seen.cloud.size());
         EXPECT_LE(static_cast<double>(found.structures), 5e-4 * count);
-        // On what little is seen of steep surfaces the points lie almost on a line, and float leaves the normal less
-        // sure.
+        // On steep surfaces the points are almost on a line, and float makes the normal less accurate.
         EXPECT_LE(static_cast<double>(found.directions), 2e-3 * count);
       }
     }
 }
 
-// Squares of 100 m^2 are summed, and a surface is told from noise of millimetres.
+// Squares of 100 m^2 are summed, and a surface differs from noise by millimetres.
 TEST(WindowSurface, SumsStayAccurateFarAway) {
   for (const double scale : {0.2, 5.0, 10.0}) {
     const OrganizedCloud seen = seen_in(single_plane(), 320, 0.0, 0.1, scale);
@@ -99,8 +98,7 @@ TEST(WindowSurface, EqualsThePlainWayAtBordersAndInSmallImages) {
   }
 }
 
-// Sums along rows are taken strip by strip of columns: where nothing is seen in some strips, or in some rows of a
-// strip, and in both beside what is seen.
+// Sums along rows run strip by strip of columns: with blank strips, blank rows of a strip, and both beside seen pixels.
 TEST(WindowSurface, EqualsThePlainWayAroundBlankPatches) {
   Rendering seen = render(box_on_table(), kinect_like_camera(240));
   add_depth_noise(seen.depth, kKinectSigmaAt1m, 2);

@@ -9,7 +9,7 @@
 namespace augicp::testing {
 namespace {
 
-// Of a moved point: the identity for the translation, minus the cross matrix for the rotation.
+// For a moved point: the identity for the translation, minus the cross matrix for the rotation.
 TEST(NumericDerivative, OfAMovedPointIsTheKnownOne) {
   std::mt19937 generator(1);
   const Vec3d point(0.3, -0.7, 1.1);

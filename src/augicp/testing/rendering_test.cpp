@@ -29,7 +29,7 @@ TEST(Rendering, PlaneHasItsExactDepthEverywhere) {
   }
 }
 
-// The exact normal is orthogonal to what lies between neighbouring pixels of the same surface, up to curvature.
+// The exact normal is orthogonal to the line between neighbouring pixels of the same surface, up to curvature.
 TEST(Rendering, NormalsAgreeWithFiniteDifferencesOfDepth) {
   for (const Scene& scene : {box_on_table(), room_corner(), sphere_scene(), cylinder_scene()}) {
     const Rendering seen = render(scene, kinect_like_camera(320));
@@ -40,7 +40,7 @@ TEST(Rendering, NormalsAgreeWithFiniteDifferencesOfDepth) {
         const int pixel = v * seen.depth.width + u;
         const int left = pixel - 1, right = pixel + 1, up = pixel - seen.depth.width, down = pixel + seen.depth.width;
         std::set<int> surfaces{seen.surface[left], seen.surface[right], seen.surface[up], seen.surface[down]};
-        // Near a contour the surface turns away too fast for differences over a pixel.
+        // Near a contour the surface curves away too fast for differences over a pixel.
         if (surfaces != std::set<int>{seen.surface[pixel]} || *surfaces.begin() == Rendering::kNothing) continue;
         const auto point = [&](int at) { return organized.cloud.points[organized.index.index[at]]; };
         const Vec3f expected = (point(down) - point(up)).cross(point(right) - point(left)).normalized();

@@ -85,8 +85,8 @@ TEST(BeyondPlanes, ToleranceGrowsWithDepth) {
             (std::vector<std::uint32_t>{0}));
 }
 
-// Along a plane a pair may be apart, off it and turned it does not agree; without a plane, distance counts in all
-// directions.
+// Along a plane the points of a pair may be apart. Off it, or with another normal, they do not agree. Without a plane,
+// distance counts in all directions.
 TEST(AgreeingPoints, AreOnTheSurfaceAndTurnedAlike) {
   Cloud source, target;
   const Vec3d z = Vec3d::UnitZ(), askew = (Vec3d::UnitX() + z).normalized();

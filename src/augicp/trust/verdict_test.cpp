@@ -10,7 +10,7 @@
 namespace augicp {
 namespace {
 
-// Of 1000 points: 600 seen, nearly all of them agreeing.
+// 600 of 1000 points are seen, and nearly all of them agree.
 Evidence good_evidence() {
   Evidence evidence;
   evidence.source_in_target = {{.agree = 570, .differ = 25, .conflict = 5, .hidden = 100, .unseen = 300}, true};
@@ -43,7 +43,7 @@ TEST(Verdict, EachSideAloneCanRaiseEachDoubt) {
     }
 }
 
-// Three tenths in common are enough where all of it agrees, and too little where a seventh does not.
+// An overlap of three tenths is enough if all of it agrees, and too little if a seventh does not.
 TEST(Verdict, TheLessIsSeenTheBetterItMustAgree) {
   Evidence evidence = good_evidence();
   evidence.source_in_target.count = {.agree = 300, .unseen = 700};
@@ -88,7 +88,7 @@ TEST(Verdict, ALoopThatStoppedConvergedOnlyIfItHadSettled) {
   EXPECT_EQ(decide(AlignStatus::IterationLimit, evidence).status, AlignStatus::Doubtful);
 }
 
-// What is known without evidence no evidence improves.
+// Evidence does not improve a status that is known without it.
 TEST(Verdict, OtherStatusesStay) {
   for (const AlignStatus status :
        {AlignStatus::Degenerate, AlignStatus::TooFewPairs, AlignStatus::NoOverlap, AlignStatus::Diverged}) {
@@ -116,7 +116,7 @@ TEST(Verdict, LimitsAreChecked) {
   EXPECT_THROW(limits.check(), std::invalid_argument);
 }
 
-// As the command's JSON says them.
+// As in the command's JSON.
 TEST(Verdict, DoubtsAndFreeMotionsHaveTheirNames) {
   EXPECT_EQ(name_of(Doubt::LittleSeen), "little_seen");
   EXPECT_EQ(name_of(Doubt::Disagreement), "disagreement");
