@@ -12,10 +12,10 @@ target_compile_options(augicp_build_flags INTERFACE
   # too, does not know that warning.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-unknown-warning-option;-Wno-restrict>
   $<$<BOOL:${AUGICP_WARNINGS_AS_ERRORS}>:-Werror>
-  # The same bits everywhere: the compiler may not fuse a multiplication and an addition in one build and not in another.
+  # Bit-identical results everywhere: the compiler may not fuse a multiplication and an addition in one build and not in another.
   -ffp-contract=off
-  # Nobody asks for errno or for the flags of floating-point exceptions; without them loops with roots and choices can be
-  # made of vectors, with the same bits.
+  # Nothing reads errno or the flags of floating-point exceptions. Without them loops with roots and choices vectorise, with
+  # bit-identical results.
   -fno-math-errno -fno-trapping-math)
 if(AUGICP_SANITIZE)
   target_compile_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
@@ -26,7 +26,7 @@ if(AUGICP_BUILD_FUZZERS)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
     message(FATAL_ERROR "AUGICP_BUILD_FUZZERS needs clang, found ${CMAKE_CXX_COMPILER_ID}")
   endif()
-  # What steers libFuzzer: which branches an input reached.
+  # Input of libFuzzer: the branches that an input reached.
   target_compile_options(augicp_build_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 

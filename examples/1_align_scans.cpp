@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two scans from files: the whole job in one call.
+// Aligns two scans from files in one call.
 #include <iostream>
 
 #include "augicp/augicp.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two images of a depth camera, with options: GICP's objective beside the augmented one, on the same pairs search.
+// Aligns two images of a depth camera, with options: GICP's objective and the augmented one, with the same search for pairs.
 #include <iostream>
 
 #include "augicp/augicp.h"
@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const augicp::DepthCamera camera = *augicp::camera_by_name("tum-fr1");
-  const double depth_scale = 5000.0;  // of TUM: pixel value of one metre
+  const double depth_scale = 5000.0;  // TUM: pixel value of one metre
   const augicp::Scan source = augicp::scan_of(augicp::read_depth_png(argv[1], depth_scale), camera);
   const augicp::Scan target = augicp::scan_of(augicp::read_depth_png(argv[2], depth_scale), camera);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stages one by one, for those who want to replace one: every arrow is a plain value.
+// The stages one by one, for users who replace one: stages pass plain values.
 #include <algorithm>
 #include <iostream>
 
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   augicp::Gates gates{.max_distance = 1.0};
   const augicp::Objective objective{.information = augicp::default_information(), .kernel_chi2 = 100.0};
 
-  // Between the clouds' points, that is, without their origins; both are zero here.
+  // Between the clouds' points, without their origins; both are zero here.
   augicp::Rigid3 target_from_source;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const auto pairs = matcher.match(source, target_from_source, gates, kNumThreads);

@@ -5,7 +5,7 @@
 #
 #     PYTHONPATH=build/release/python /usr/bin/python3 examples/align_two_scans.py
 #
-# The file is a notebook too: editors that know "# %%" cells, and jupytext, open it as one.
+# The file is a notebook too: editors that support "# %%" cells, and jupytext, open it as one.
 
 # %%
 from pathlib import Path
@@ -17,7 +17,7 @@ import augicp
 DATA = Path(__file__).parent.parent / "data/room_pair" if "__file__" in globals() else Path("data/room_pair")
 
 # %% [markdown]
-# `read` gives a Cloud; an (N, 3) array does as well. `T_target_source` maps source coordinates into the target's frame.
+# `read` gives a Cloud; an (N, 3) array works too. `T_target_source` maps source coordinates into the target's frame.
 
 # %%
 source, target = augicp.read(DATA / "source.ply"), augicp.read(DATA / "target.ply")
@@ -26,8 +26,8 @@ print(source, target, result, sep="\n")
 print(np.round(result.T_target_source, 4))
 
 # %% [markdown]
-# A result is true only where both clouds speak for the pose. `evidence` has what they say, `covariance` how sure the pose is:
-# its first three numbers belong to the translation.
+# A result is true only if both clouds support the pose. `evidence` has the comparison of the clouds. `covariance` has the
+# uncertainty of the pose; its first three numbers belong to the translation.
 
 # %%
 if not result:
@@ -45,7 +45,7 @@ angle = np.degrees(np.arccos(np.clip((np.trace(off[:3, :3]) - 1) / 2, -1, 1)))
 print(f"off by {1000 * np.linalg.norm(off[:3, 3]):.1f} mm and {angle:.2f} degrees")
 
 # %% [markdown]
-# What is in front of a wall alone leaves three motions open. The status says so, and names them.
+# A wall alone does not constrain three of the six motions. The status is `degenerate`, and `free_motions` names them.
 
 # %%
 wall = np.random.default_rng(0).random((5000, 3)) * [2, 2, 0.001]
@@ -55,4 +55,4 @@ print(flat.status, [str(motion.kind) for motion in flat.free_motions])
 # %%
 moved = source.transformed(result.T_target_source)
 augicp.write("moved.ply", moved)
-print("moved.ply lies where the target is")
+print("moved.ply is aligned with the target")

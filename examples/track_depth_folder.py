@@ -5,7 +5,7 @@
 #
 #     PYTHONPATH=build/release/python /usr/bin/python3 examples/track_depth_folder.py
 #
-# The file is a notebook too: editors that know "# %%" cells, and jupytext, open it as one.
+# The file is a notebook too: editors that support "# %%" cells, and jupytext, open it as one.
 
 # %%
 from pathlib import Path
@@ -21,8 +21,8 @@ import augicp
 DATA = Path(__file__).parent.parent / "data" if "__file__" in globals() else Path("data")
 
 # %% [markdown]
-# Give the images one after the other. `add` returns where the camera was, in the frame of the first image, or None where it
-# could not be placed; `last_frame` says how it went.
+# Add the images one after the other. `add` returns the pose of the camera in the frame of the first image, or None if there
+# is none; `last_frame` has the report.
 
 # %%
 sequence = augicp.read_depth_sequence(DATA / "tum_fr1_desk_30")
@@ -40,7 +40,7 @@ print(f"ATE {1000 * ate.rmse:.1f} mm; RPE {1000 * rpe.translation.rmse:.1f} mm a
       f"{np.degrees(rpe.rotation.rmse):.2f} degrees a frame")
 
 # %% [markdown]
-# The estimate is laid on the truth by the motion that the evaluation found.
+# The alignment of the evaluation moves the estimate onto the truth.
 
 # %%
 inside = (sequence.truth.stamps >= evaluation.first_stamp - 0.01) & (sequence.truth.stamps <= evaluation.last_stamp + 0.01)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the figures share: CSV of `augicp experiment`, the look of curves, expected numbers."""
+"""Shared by the figures: CSV of `augicp experiment`, the look of curves, expected numbers."""
 import csv
 import json
 import subprocess

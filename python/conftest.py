@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests share. Run by ctest, with the module on PYTHONPATH and the command in AUGICP_COMMAND."""
+"""Shared by the tests. Run by ctest, with the module on PYTHONPATH and the command in AUGICP_COMMAND."""
 import json
 import os
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The package as editors see it: every name has a docstring, and the stubs say what the module has, with one set of defaults."""
+"""The package as editors see it: every name has a docstring, and the stubs agree with the module, with one set of defaults."""
 import ast
 import enum
 import inspect

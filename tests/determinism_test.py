@@ -23,7 +23,7 @@ NUMBERS_OF_THREADS = (1, 2, 3, 4, 8, 16, 64)
 
 
 def without_times(path):
-    """The bytes of a result, but for how long it took, on how many threads and where it was written."""
+    """The bytes of a result, except its times, number of threads and path."""
     content = path.read_bytes()
     if path.suffix == ".json":
         result = json.loads(content)
@@ -41,7 +41,7 @@ def without_times(path):
 
 
 def results(program, threads, words):
-    """What the files say that a run writes into a folder of its own; FOLDER in words stands for that."""
+    """The contents of the files that a run writes into its own folder; FOLDER in words stands for it."""
     with tempfile.TemporaryDirectory(prefix="augicp-") as name:
         arguments = [str(word).replace("FOLDER", name) for word in words]
         finished = subprocess.run([program, *arguments, "--threads", str(threads)], capture_output=True, text=True,

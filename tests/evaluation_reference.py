@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""ATE and RPE computed anew from their definitions, with 4 x 4 matrices and no regard to speed, to compare the command with."""
+"""ATE and RPE computed a second time from their definitions, with 4 x 4 matrices, as a reference for the command."""
 import numpy as np
 
 
@@ -125,7 +125,7 @@ def statistics(errors):
 
 
 def pose_statistics(errors):
-    """Of 4 x 4 matrices that would be the identity without an error."""
+    """Errors from 4 x 4 matrices that would be the identity without an error."""
     if not errors:
         return None
     return {"translation": statistics([np.linalg.norm(error[:3, 3]) for error in errors]),
@@ -133,7 +133,7 @@ def pose_statistics(errors):
 
 
 def evaluate(estimate_path, truth_path, options):
-    """What the command must say of the two files, for the options that it says it used."""
+    """The expected output of the command for the two files, with the options that it reports."""
     stamps, estimate, truth = match(read(estimate_path), read(truth_path), options)
     scale, motion = align(estimate, truth, options["align"])
     absolute = lambda poses: pose_statistics([np.linalg.inv(b) @ a for a, b in zip(poses, truth)])

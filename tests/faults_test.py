@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""robustness 9: where an output cannot be written, the command says so, ends with 3, and leaves nothing partial.
+"""robustness 9: if an output cannot be written, the command reports it, ends with 3, and leaves nothing partial.
 
     faults_test.py AUGICP PROJECT
 """
@@ -35,7 +35,7 @@ def run(*words):
 
 @contextlib.contextmanager
 def mounted(folder, options):
-    """A file system of its own; as whoever may not make one, the test is skipped and says so."""
+    """A separate file system; without the right to make one, the test is skipped with a message."""
     made = subprocess.run(["mount", "-t", "tmpfs", "-o", options, "augicp-test", folder], capture_output=True, check=False)
     if made.returncode != 0:
         raise unittest.SkipTest("a small file system needs root")

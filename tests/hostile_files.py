@@ -52,7 +52,7 @@ class Readers:
 
 
 def complaint(kind, data, answer):
-    """What is wrong with an answer to a file, or nothing."""
+    """The fault of an answer to a file, or nothing."""
     word, _, rest = answer.partition(" ")
     if word == "refused":
         return None if kind == "transform" or rest.startswith("any" + KINDS[kind][0] + ": ") else "the error does not name the file"

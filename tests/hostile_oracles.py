@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a file holds, found out anew: short, slow readers that share nothing with the library's.
+"""The content of a file by a second reader: short, slow readers that share nothing with the library's.
 
 Each gives Holds for a file that is whole, and raises Damaged for one that is not. A reader that reads a damaged file, or
-fewer points than a file holds without a warning, has lost data in silence.
+fewer points than the file without a warning, has lost data silently.
 """
 
 import dataclasses
@@ -40,7 +40,7 @@ def text_of(data):
 
 
 def split_lines(text):
-    """Ended by LF, CR LF, or by CR where the first line is."""
+    """Lines end in LF or CR LF, or all in CR if the first line does."""
     first = re.search("[\r\n]", text)
     if first and first[0] == "\r" and text[first.end():first.end() + 1] != "\n":
         found = text.split("\r")
@@ -50,7 +50,7 @@ def split_lines(text):
 
 
 def words_of(line):
-    """What stands between blanks; other white space is part of a word."""
+    """The words between blanks; other white space is part of a word."""
     return re.split("[ \t]+", line.strip(" \t")) if line.strip(" \t") else []
 
 

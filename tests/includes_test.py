@@ -4,7 +4,7 @@
 third-party library but Eigen, the command's rooms include in one direction, no source file is forgotten in the build, and every
 file says its licence.
 
-    includes_test.py ROOT    prints each fault; exit code 1 where there is one
+    includes_test.py ROOT    prints each fault; exit code 1 if there is one
 
 Before it looks at ROOT it checks itself on a small tree with one fault of each kind.
 """

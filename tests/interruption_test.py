@@ -22,7 +22,7 @@ TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 
 
 class Command:
-    """A running command. What it must reach is waited for; a limit only ends a test that hangs."""
+    """A running command. Tests wait for its state; a limit only ends a test that hangs."""
 
     def __init__(self, *words, before=()):
         self.process = subprocess.Popen([*before, str(AUGICP), *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -36,7 +36,7 @@ class Command:
         return AssertionError(f"ended by itself, with {self.process.returncode}: {self.process.communicate()[1]}")
 
     def until_busy_for(self, seconds):
-        """Of processor time, so that it does not matter what else the machine does."""
+        """Processor time, independent of the load of the machine."""
         def reached():
             fields = Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
             return int(fields[11]) + int(fields[12]) >= seconds * TICKS_PER_S

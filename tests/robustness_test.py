@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Each row of the robustness promises is named by a test, and where docs/reliability.md says a row is tested, it is.
+"""Each row of the robustness promises is named by a test, and the tests that docs/reliability.md names for a row name it.
 
     robustness_test.py ROOT
 

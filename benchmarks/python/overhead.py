@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""What a call from Python costs beside the same call from C++: two clouds of 300 000 points, ten runs of each in turn.
+"""The cost of a call from Python against the same call from C++: two clouds of 300 000 points, ten runs of each in turn.
 
     cmake --build --preset release --target python_overhead_cpp augicp_python
     PYTHONPATH=build/release/python benchmarks/python/overhead.py build/release/benchmarks/python/python_overhead_cpp

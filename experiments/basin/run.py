@@ -29,7 +29,7 @@ def draw(output):
         surface = [[figures.chosen(rows, angle_deg=angle, distance=distance)[0]["success"] for angle in angles]
                    for distance in distances]
         picture = axis.imshow(surface, origin="lower", vmin=0, vmax=1, cmap="viridis", aspect="auto")
-        axis.set(title=method, xlabel="turned by (deg)", ylabel="moved by (m)")
+        axis.set(title=method, xlabel="rotated by (deg)", ylabel="moved by (m)")
         axis.set_xticks(range(len(angles)), [f"{angle:g}" for angle in angles])
         axis.set_yticks(range(len(distances)), [f"{distance:g}" for distance in distances])
     figure.colorbar(picture, ax=list(axes), label="share of successes")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What brightness brings beside positions and directions: the tables of "Intensity" in docs/lab/convergence.md.
+"""The effect of brightness beside positions and directions: the tables of "Intensity" in docs/lab/convergence.md.
 
     experiments/convergence/intensity.py --data FOLDER [--starts 20] [--only images|lidar]
 
@@ -115,7 +115,7 @@ def image_rows(augicp, folder):
 def lidar_rows(augicp, folder, num_starts):
     source, target, truth = folder / "source.ply", folder / "target.ply", folder / "T_target_source.txt"
     rows = [[float(word) for word in line.split()] for line in truth.read_text().splitlines() if line[0] != "#"]
-    print("\n| intensity | from the identity | from the truth | successes, turned by 5, 10, 20, 30, 45, 60 deg |\n| --- | --- | --- | --- |")
+    print("\n| intensity | from the identity | from the truth | successes, rotated by 5, 10, 20, 30, 45, 60 deg |\n| --- | --- | --- | --- |")
     for channel, words in CHANNELS.items():
         cells = []
         for guess in (IDENTITY, truth):

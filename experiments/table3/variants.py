@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""What each choice of the paper preset does on twelve pairs of fr1/desk, as Markdown: one thing changed in each row."""
+"""The effect of each choice of the paper preset on twelve pairs of fr1/desk, as Markdown: one change in each row."""
 import argparse
 import subprocess
 import sys

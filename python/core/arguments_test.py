@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What cannot be used is refused by name, with the right kind of exception, and nothing else happens."""
+"""Unusable arguments are refused by name, with the right kind of exception, and nothing else happens."""
 import threading
 from fractions import Fraction
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""align: the same bits as the command, from whatever thread and however the numbers lie in memory."""
+"""align: bit-identical to the command, from any thread and for any memory layout."""
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
