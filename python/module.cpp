@@ -39,7 +39,7 @@ py::dict option_types(const std::string& function) {
   return of_options(function, [](const auto& options) { return types_of(options); });
 }
 
-// All that has a name of its own, for `from augicp import *`.
+// All public names, for `from augicp import *`.
 py::list public_names(const py::module_& module) {
   py::list names;
   for (const py::handle name : py::module_::import("builtins").attr("dir")(module))
@@ -47,7 +47,7 @@ py::list public_names(const py::module_& module) {
   return names;
 }
 
-// In the order in which docstrings name them: a type comes before what takes or returns it.
+// In the order of use in docstrings: a type comes before the functions that take or return it.
 void bind_all(py::module_& module) {
   bind_errors(module);
   bind_words(module);

@@ -17,23 +17,23 @@ namespace {
 constexpr const char* kDoc = R"(Points, and what is known of the surface around them. It cannot be changed.
 
 points: (N, 3) array of any real type and strides, metres. It is copied, and may change afterwards. Points that are not
-  finite, or beyond 1e18, are dropped with all that belongs to them; what a masked array hides counts as not finite.
-normals: (N, 3), of any length, or None; registration then takes them instead of its own. Zero: none there.
-structures: (N,) integers, what each normal is: 0 nothing, 1 a plane's normal, 2 an edge's tangent; None: all 1.
-viewpoint: (3,), where the sensor was, or None. Normals are turned towards it.
+  finite, or beyond 1e18, are dropped with all their attributes; masked points count as not finite.
+normals: (N, 3), of any length, or None. Registration uses them instead of estimating its own. Zero: no normal.
+structures: (N,) integers, the kind of each normal: 0 none, 1 a plane's normal, 2 an edge's tangent; None: all 1.
+viewpoint: (3,), position of the sensor, or None. Normals are oriented towards it.
 
-Far from zero (UTM coordinates) points are kept as float32 relative to an origin in float64, so that nothing is lost.
-Raises ArgumentError for wrong shapes and for more than 100 million points, ArgumentTypeError for what are no numbers.
+Far from zero (UTM coordinates) points are float32 relative to an origin in float64, so no precision is lost.
+Raises ArgumentError for wrong shapes and for more than 100 million points, ArgumentTypeError for arrays without numbers.
 Objects may be used by several threads at once, and can be pickled. numpy.asarray(cloud) is cloud.points.)";
 
-constexpr const char* kFromDepthDoc = R"(The cloud that a depth camera saw; registration then also uses its pixels.
+constexpr const char* kFromDepthDoc = R"(The cloud of a depth image; registration then also uses its pixels.
 
 image: (height, width); 0, negative, NaN and infinite are no reading. Of floats: metres. Of integers up to 65535:
   depth_scale is the value of one metre (5000 in the TUM benchmark, 1000 in most others) and must be given.
-camera: a Camera, or text for Camera.read such as "tum-fr1" or "525 525 319.5 239.5". Its lens is taken out.
+camera: a Camera, or text for Camera.read such as "tum-fr1" or "525 525 319.5 239.5". Its lens is removed.
 
-Frame: the camera's, x right, y down, z forward. Raises ArgumentError where the image is not of the camera's size or the
-readings say that depth_scale is wrong.)";
+Frame: the camera's, x right, y down, z forward. Raises ArgumentError if the image's size is not the camera's, and if the
+readings show that depth_scale is wrong.)";
 
 Scan from_points(const py::object& points, const py::object& normals, const py::object& structures,
                  const py::object& viewpoint) {
@@ -47,7 +47,7 @@ Scan from_depth(const py::object& image, const py::object& camera, std::optional
   return without_gil([&](const std::stop_token&) { return scan_of(depth, seen_by); });
 }
 
-// New: origin + point, in float64.
+// A new array: origin + point, in float64.
 py::array positions(const Scan& scan) {
   py::array_t<double> array({static_cast<py::ssize_t>(scan.cloud.size()), py::ssize_t{3}});
   auto numbers = array.mutable_unchecked<2>();
@@ -126,21 +126,21 @@ void bind_arrays(CloudType& type) {
       "alive.");
   type.def_property_readonly(
       "origin", [](const Scan& scan) { return vector_array(scan.cloud.origin); },
-      "(3,) float64, metres; zero unless the cloud lies far from zero.");
+      "(3,) float64, metres; zero unless the cloud is far from zero.");
   type.def_property_readonly("directions", &directions,
-                             "(N, 3) float32 unit normals and tangents, zero where there is none; None before they are "
-                             "estimated. The cloud's own memory, as points_from_origin.");
+                             "(N, 3) float32 unit normals and tangents, zero if there is none; None before they are "
+                             "estimated. The cloud's own memory, like points_from_origin.");
   type.def_property_readonly("structures", &structures,
-                             "(N,) uint8, what each direction is: 0 nothing, 1 a normal, 2 a tangent; or None. The "
-                             "cloud's own memory, as points_from_origin.");
+                             "(N,) uint8, the kind of each direction: 0 none, 1 a normal, 2 a tangent; or None. The "
+                             "cloud's own memory, like points_from_origin.");
   type.def_property_readonly(
       "intensities", &intensities,
-      "(N,) float32 view, read-only, in the unit of the file, NaN where not known; None: the cloud has none.");
+      "(N,) float32 view, read-only, in the unit of the file, NaN if unknown; None: the cloud has none.");
   type.def_property_readonly("weights", &weights,
-                             "(N,) float32 in (0, 1], how sure each point is beside the surest; None: all alike. The "
-                             "cloud's own memory, as points_from_origin.");
-  type.def_property_readonly("viewpoint", &viewpoint, "(3,) float64, where the sensor was, metres; or None.");
-  type.def_property_readonly("image_shape", &image_shape, "(height, width) of the depth image it is from; or None.");
+                             "(N,) float32 in (0, 1], weight of each point relative to the best; None: all alike. The "
+                             "cloud's own memory, like points_from_origin.");
+  type.def_property_readonly("viewpoint", &viewpoint, "(3,) float64, position of the sensor, metres; or None.");
+  type.def_property_readonly("image_shape", &image_shape, "(height, width) of its depth image; or None.");
   type.def("__array__", &as_array, py::arg("dtype") = py::none(), py::arg("copy") = py::none(), "The same as points.");
 }
 

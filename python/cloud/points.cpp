@@ -20,7 +20,7 @@ std::string hint_for(const py::array& array) {
   return "";
 }
 
-// The size is looked at before anything is copied.
+// The size is checked before anything is copied.
 py::array rows_of_three(const py::object& given, const std::string& name) {
   const py::array array = as_numbers(given, name);
   if (array.ndim() != 2 || array.shape(1) != 3)
@@ -48,7 +48,7 @@ py::array checked_structures(const py::object& given, py::ssize_t count) {
   return as_reals(array);
 }
 
-// What is no number of a structure counts as None, as in files.
+// A number that is no structure counts as None, as in files.
 Structure structure_of(double number) {
   if (number == static_cast<double>(Structure::Planar)) return Structure::Planar;
   return number == static_cast<double>(Structure::Edge) ? Structure::Edge : Structure::None;

@@ -26,7 +26,7 @@ PyObject* add_class(py::module_& module, const char* name, const char* doc, cons
   return made.ptr();
 }
 
-// A message may name a file whose name is no UTF-8: Python has a way to write such bytes too.
+// A message may contain a file name that is not UTF-8; Python can represent such bytes.
 void raise(PyObject* error_class, const char* message) {
   const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(message));
   if (text) PyErr_SetObject(error_class, text.ptr());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Python sees of the library's exceptions: all derive from augicp.Error, and from Python's own class for the case.
+// The library's exceptions in Python: all derive from augicp.Error, and from Python's own class for the case.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,7 +8,7 @@
 
 namespace augicp::python {
 
-// An argument of a kind that cannot be used: augicp.ArgumentTypeError, a TypeError.
+// An argument of a wrong kind: augicp.ArgumentTypeError, a TypeError.
 class WrongType : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

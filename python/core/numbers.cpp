@@ -12,10 +12,12 @@ namespace {
 
 bool is_real(const py::dtype& type) { return type.kind() == 'f' || type.kind() == 'i' || type.kind() == 'u'; }
 
-// NumPy's asarray() would show what the mask hides.
+// NumPy's asarray() would reveal masked values.
 py::array without_mask(const py::array& array) {
   if (!py::isinstance(array, py::module_::import("numpy.ma").attr("MaskedArray")))
-    return py::module_::import("numpy").attr("asarray")(array).cast<py::array>();  // without what a subclass overrides
+    return py::module_::import("numpy")
+        .attr("asarray")(array)
+        .cast<py::array>();  // without the overrides of a subclass
   return array.attr("astype")("float64").attr("filled")(std::nan("")).cast<py::array>();
 }
 
@@ -24,7 +26,7 @@ py::array as_array(const py::object& given, const std::string& name) {
   try {
     return py::module_::import("numpy").attr("asanyarray")(given).cast<py::array>();
   } catch (py::error_already_set& error) {
-    // Rows of different lengths and the like; an interrupt or a lack of memory stays what it is.
+    // Rows of different lengths and the like. An interrupt or a lack of memory passes through.
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
     throw WrongType(name + ": expected an array of numbers: " + py::str(error.value()).cast<std::string>());
   }

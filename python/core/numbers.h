@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between NumPy's arrays and the library's numbers.
+// Conversion between NumPy's arrays and the library's numbers.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -13,19 +13,19 @@ namespace augicp::python {
 
 namespace py = pybind11;
 
-// What a caller gave, as an array of real numbers of any type and strides; an array is not copied. What a masked array
-// hides becomes NaN. Throws WrongType for everything else (booleans, complex numbers, text, objects, records): name
-// says what it was meant to be.
+// A caller's argument as an array of real numbers of any type and strides; an array is not copied. Masked values become
+// NaN. Throws WrongType for everything else (booleans, complex numbers, text, objects, records); name is that of the
+// argument.
 py::array as_numbers(const py::object& given, const std::string& name);
 
-// The same as float32 or float64 in this machine's byte order; copied where it is something else.
+// The same as float32 or float64 in the byte order of this machine; copied only if needed.
 py::array as_reals(const py::array& numbers);
 
 // "(640, 480)"
 std::string shape_text(const py::array& array);
 
-// The numbers of an array by their indices, whatever its strides and alignment. The array must outlive it. Reads memory
-// only, so that it needs no GIL.
+// The numbers of an array by their indices, for any strides and alignment. It only reads memory, so it needs no GIL.
+// REQUIRES: the array outlives it.
 class Reals {
  public:
   explicit Reals(const py::array& array);
@@ -48,8 +48,7 @@ py::array to_array(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 py::array vector_array(const Vec3d& vector);
 py::array to_array(const Rigid3& motion);
 
-// A view of what owner holds, which lives as long as the view and does not change: nothing is copied, and the view
-// cannot be written to.
+// A read-only view of memory of owner, without a copy. It keeps owner alive. REQUIRES: the memory does not change.
 template <typename Number>
 py::array view_of(const Number* first, std::vector<py::ssize_t> shape, const py::handle& owner) {
   py::array_t<Number> view(std::move(shape), first, owner);

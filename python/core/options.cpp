@@ -24,7 +24,7 @@ std::string quoted(const std::vector<std::string>& words) {
   throw WrongType(name + ": expected " + expected + ", found " + py::repr(found).cast<std::string>());
 }
 
-// Python takes True for 1. Here it is a mistake. NumPy has a bool of its own.
+// Python accepts True as 1. Here it is a mistake. NumPy has its own bool.
 bool is_bool(const py::handle& value) {
   return py::isinstance<py::bool_>(value) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
 }

@@ -53,7 +53,7 @@ py::object object_of(const std::optional<Value>& field) {
   return field ? object_of(*field) : py::none();
 }
 
-// Throws WrongType: no option has this name, with the known ones that look like it.
+// Throws WrongType: no option has this name; the message lists similar ones.
 [[noreturn]] void refuse_unknown(const std::string& name, const std::vector<std::string>& known);
 
 template <typename Options>

@@ -9,12 +9,12 @@
 
 namespace augicp::python {
 
-// Waits, without the GIL and in short rests, until has_ended(). Between the rests Python's signal handlers run: where
-// one raises (Ctrl-C: KeyboardInterrupt), stop is asked for, the end waited for, and the exception goes on from here.
+// Waits, without the GIL and in short intervals, until has_ended(). Between the intervals Python's signal handlers run.
+// If one raises (Ctrl-C: KeyboardInterrupt), it requests a stop, waits for the end, and rethrows.
 void wait_until(const std::function<bool()>& has_ended, std::stop_source& stop);
 
-// work(stop token), done by a thread of its own while this one, which must hold the GIL, waits as above. work must not
-// touch Python. What it throws is thrown here.
+// Runs work(stop token) in a separate thread while this one waits as above; rethrows its exception. REQUIRES: this
+// thread has the GIL, and work does not use Python.
 template <typename Work>
 auto without_gil(const Work& work) {
   std::stop_source stop;

@@ -37,17 +37,17 @@ void add(py::module_& module, const char* name, const char* doc) {
 void bind_words(py::module_& module) {
   add<AlignStatus>(
       module, "Status",
-      "What became of a registration. Only CONVERGED is a pose to trust; DOUBTFUL, DEGENERATE and ITERATION_LIMIT have "
-      "one, the others failed. docs/verdict.md says more.");
+      "The outcome of a registration. Only CONVERGED is a pose to trust; DOUBTFUL, DEGENERATE and ITERATION_LIMIT have "
+      "a pose, the others failed. See docs/verdict.md.");
   add<Doubt>(
       module, "Doubt",
-      "Why a pose is doubted: too few points in reach of the other cloud, too few of them on its surface, too many "
-      "where its camera saw through, or nothing but bare planes far from the guess.");
+      "Why a pose is doubtful: too few points are visible to the other sensor, too few of them are on its surface, too "
+      "many are in free space, or only bare planes agree, far from the guess.");
   add<FreeMotion::Kind>(module, "MotionKind",
-                        "A motion that the data leave open: along an axis, about it, or both at once.");
+                        "A motion that the data do not constrain: along an axis, about it, or both.");
   add<FrameStatus>(
       module, "FrameStatus",
-      "What became of a frame of odometry. STARTED, TRACKED, DEGENERATE and DOUBTFUL have a pose, the others have "
+      "The outcome of a frame of odometry. STARTED, TRACKED, DEGENERATE and DOUBTFUL have a pose, the others have "
       "none.");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The library's statuses and kinds, which are told in words, as Python enumerations of those words.
+// The library's statuses and kinds, as Python enumerations of their words.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -9,15 +9,15 @@
 
 namespace augicp::python {
 
-// Python's augicp.Trajectory. Poses keep their quaternions, so that writing one gives the numbers that were read.
+// Python's augicp.Trajectory. Poses keep their quaternions, so that writing gives the numbers that were read.
 struct PyTrajectory {
   Trajectory poses;
 };
 
-// An augicp.Trajectory, or the path of one in TUM's form. Throws WrongType or IoError; name says which argument it was.
+// An augicp.Trajectory, or the path of one in TUM's form. Throws WrongType or IoError; name is that of the argument.
 Trajectory trajectory_from(const pybind11::object& given, const std::string& name);
 
-// Python's warnings, one for each.
+// One Python warning each.
 void warn(const std::vector<std::string>& warnings, const std::string& path);
 
 }  // namespace augicp::python

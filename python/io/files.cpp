@@ -27,7 +27,7 @@ camera, depth_scale: of a depth image, which needs both; see Cloud.from_depth.
 bin_columns: numbers a point in a .bin file, 4 (x y z intensity) or 3. max_points: files with more are refused.
 
 Points that are not finite are dropped. Raises FileError, with nothing read, for a file that is damaged, cut short or without
-points; what may be wrong though all was read is a UserWarning.)";
+points. A suspicious file is a UserWarning.)";
 
 Scan read_image(const fs::path& path, const py::object& camera, std::optional<double> depth_scale) {
   if (camera.is_none() || !depth_scale) throw WrongType(path.string() + ": a depth image needs camera and depth_scale");
@@ -66,8 +66,8 @@ void bind_files(py::module_& module) {
              py::arg("bin_columns") = usual.num_bin_columns, py::arg("max_points") = usual.max_points, kReadDoc);
   module.def(
       "write", &write, py::arg("path"), py::arg("cloud"),
-      "Writes a Cloud or an (N, 3) array as .ply or .pcd, binary, with directions and structures where it has them; "
-      "whole or not at all. Raises FileError, and ArgumentError for a cloud without points.");
+      "Writes a Cloud or an (N, 3) array as .ply or .pcd, binary, with directions and structures if it has them; "
+      "whole or absent. Raises FileError, and ArgumentError for a cloud without points.");
   module.def(
       "read_transform",
       [](const fs::path& path) {

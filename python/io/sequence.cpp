@@ -14,9 +14,9 @@ namespace py = pybind11;
 namespace {
 
 constexpr const char* kReadDoc =
-    R"(What is in a folder of depth images: the TUM benchmark's (depth.txt), 7-Scenes', or numbered .png.
+    R"(The content of a folder of depth images: of the TUM benchmark (depth.txt), 7-Scenes, or numbered .png.
 
-frames_per_s: of frames without stamps. No image is opened. Returns a DepthSequence. Raises FileError.)";
+frames_per_s: for frames without stamps. No image is opened. Returns a DepthSequence. Raises FileError.)";
 
 py::object truth(const DepthSequence& sequence) {
   return sequence.truth ? py::cast(PyTrajectory{*sequence.truth}) : py::none();
@@ -34,12 +34,12 @@ void bind_sequence(py::module_& module) {
   py::class_<DepthSequence> type(module, "DepthSequence", "A folder of depth images, see read_depth_sequence.");
   type.def_readonly("layout", &DepthSequence::layout, "\"TUM\", \"7-Scenes\" or \"numbered\".");
   type.def_property_readonly("frames", &frames, "list of (stamp in seconds, pathlib.Path).");
-  type.def_readonly("depth_scale", &DepthSequence::depth_scale, "The layout's: TUM 5000, others 1000.");
-  type.def_readonly("camera", &DepthSequence::camera, "The folder's Camera, or None where it names none.");
+  type.def_readonly("depth_scale", &DepthSequence::depth_scale, "Default of the layout: TUM 5000, others 1000.");
+  type.def_readonly("camera", &DepthSequence::camera, "The folder's Camera, or None.");
   type.def_readonly("camera_problem", &DepthSequence::camera_problem,
-                    "Why there is none though there is a file of it.");
+                    "Why there is no camera although there is a file.");
   type.def_property_readonly("truth", &truth, "The true Trajectory, or None.");
-  type.def_readonly("truth_problem", &DepthSequence::truth_problem, "Why there is none though there is a file of it.");
+  type.def_readonly("truth_problem", &DepthSequence::truth_problem, "Why there is no truth although there is a file.");
   type.def("__len__", [](const DepthSequence& sequence) { return sequence.frames.size(); });
   type.def("__repr__", [](const DepthSequence& sequence) {
     return "<augicp.DepthSequence " + sequence.layout + ", " + std::to_string(sequence.frames.size()) + " frames>";

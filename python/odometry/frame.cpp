@@ -27,23 +27,22 @@ std::string in_words(const FrameReport& frame) {
 void bind_frame(py::module_& module) {
   py::class_<FrameReport> type(
       module, "Frame",
-      "How a frame of odometry went. bool(frame) is True where its pose may be trusted: it was "
+      "The report of a frame of odometry. bool(frame) is True if its pose may be trusted: it was "
       "tracked, or a segment starts with it.");
   type.def_readonly("stamp", &FrameReport::stamp_s, "Seconds.");
   type.def_property_readonly(
       "status", [](const FrameReport& frame) { return word_member("FrameStatus", name_of(frame.status)); },
       "A FrameStatus.");
-  type.def_property_readonly("T_world_camera", &pose, "(4, 4) float64: a new array; None where there is no pose.");
-  type.def_readonly("segment", &FrameReport::segment,
-                    "Poses of different segments have no measured motion between them.");
+  type.def_property_readonly("T_world_camera", &pose, "(4, 4) float64: a new array; None if there is no pose.");
+  type.def_readonly("segment", &FrameReport::segment, "No motion was measured between poses of different segments.");
   type.def_readonly("is_keyframe", &FrameReport::is_keyframe, "The model is in its view from now on.");
   type.def_property_readonly("registration", &registration, "The Status of its registration, or None.");
-  type.def_readonly("iterations", &FrameReport::iterations, "Of its registrations.");
-  type.def_readonly("num_pairs", &FrameReport::num_pairs, "At the last iteration.");
-  type.def_readonly("overlap", &FrameReport::overlap, "Share of its points with a partner, 0 to 1.");
-  type.def_readonly("rmse", &FrameReport::rmse, "Of the distances within the pairs, metres.");
-  type.def_readonly("strain", &FrameReport::strain, "Of the evidence for the pose, see Evidence.");
-  type.def_readonly("problem", &FrameReport::problem, "In words, where there is one.");
+  type.def_readonly("iterations", &FrameReport::iterations, "Iterations of its registrations.");
+  type.def_readonly("num_pairs", &FrameReport::num_pairs, "Pairs at the last iteration.");
+  type.def_readonly("overlap", &FrameReport::overlap, "Share of its points with a correspondence, 0 to 1.");
+  type.def_readonly("rmse", &FrameReport::rmse, "Root mean square of the distances within the pairs, metres.");
+  type.def_readonly("strain", &FrameReport::strain, "Strain of the evidence, see Evidence.");
+  type.def_readonly("problem", &FrameReport::problem, "In words; empty if there is none.");
   type.def("__bool__", [](const FrameReport& frame) {
     return frame.status == FrameStatus::Tracked || frame.status == FrameStatus::Started;
   });

@@ -22,12 +22,12 @@ constexpr const char* kDoc = R"(Tracks one depth camera: give it one image after
 
     odometry = augicp.Odometry("tum-fr1", depth_scale=5000)
     for stamp, image in images:
-        T_world_camera = odometry.add(image, stamp)  # None: not tracked, odometry.last_frame says why
+        T_world_camera = odometry.add(image, stamp)  # None: no pose, see odometry.last_frame
 
-camera: a Camera, or text for Camera.read. depth_scale: of images of integers, the value of one metre; as in Cloud.from_depth.
-The world is the first camera.
+camera: a Camera, or text for Camera.read. depth_scale: for integer images, the value of one metre; see Cloud.from_depth.
+The world is the frame of the first camera.
 
-Calls from several threads follow one another in some order. Raises ArgumentError and ArgumentTypeError as align does.
+Calls from several threads run one after the other, in any order. Raises ArgumentError and ArgumentTypeError as align does.
 
 Options, by keyword; augicp.default_options("odometry") has their defaults:
 )";
@@ -35,10 +35,10 @@ Options, by keyword; augicp.default_options("odometry") has their defaults:
 constexpr const char* kAddDoc =
     R"(The next image: (height, width), as in Cloud.from_depth. stamp: seconds; None: 1/30 after the one before.
 
-Returns its pose as a new (4, 4) float64 T_world_camera, or None where it has none; last_frame tells how it went, and whether
-the pose may be trusted. A frame that cannot be placed is no error, and the next one is tried again. Raises ArgumentError
-where the image is not of the camera's size, or depth_scale is wrong. Works without the GIL. Ctrl-C ends it and leaves
-everything as it was, so that the same image may be added again.)";
+Returns its pose as a new (4, 4) float64 T_world_camera, or None if it has none. last_frame has the report, and whether the
+pose may be trusted. A frame without a pose is no error; the next one is tried again. Raises ArgumentError if the image's
+size is not the camera's, or depth_scale is wrong. Releases the GIL. Ctrl-C ends it and leaves the object unchanged, so the
+same image may be added again.)";
 
 class Tracker {
  public:

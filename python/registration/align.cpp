@@ -13,10 +13,11 @@ namespace {
 
 constexpr const char* kDoc = R"(Finds the rigid motion between two clouds.
 
-source, target: what moves and what stays: (N, 3) arrays (float32, float64, anything with __array__), metres, or Cloud.
+source, target: the moving and the fixed cloud: (N, 3) arrays (float32, float64, anything with __array__), metres, or
+  Cloud.
 initial: (4, 4) guess of T_target_source, or None: the identity. It must be rigid to within 1e-3.
-method: what is minimised: "augmented", "gicp", "plane" or "point".
-threads: 0: all the machine's. The result has the same bits for any number.
+method: the objective: "augmented", "gicp", "plane" or "point".
+threads: 0: all of the machine. The result is bit-identical for any number.
 
 Returns a Result; bool(result) is True only if both clouds support the pose. Bad data never raises: empty or non-overlapping
 clouds give a status. Raises ArgumentError (a ValueError) for options and shapes out of

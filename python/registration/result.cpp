@@ -14,10 +14,10 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(What a registration found. bool(result) is True only where status is Status.CONVERGED.
+constexpr const char* kDoc = R"(The result of a registration. bool(result) is True only if status is Status.CONVERGED.
 
-T_target_source maps source coordinates into the target's frame. On failure it is the last pose reached, never made up.
-Arrays are new at each access; nothing written to them changes the result.)";
+T_target_source maps source coordinates into the target's frame. After a failure it is the last pose reached, never a made-up one.
+Arrays are new at each access; writing to them does not change the result.)";
 
 template <typename Field>
 auto found(Field field) {
@@ -47,12 +47,12 @@ void bind_iteration(py::module_& module) {
   type.def_property_readonly(
       "T_target_source", [](const AlignIteration& iteration) { return to_array(iteration.target_from_source); },
       "(4, 4) float64, after the iteration's step.");
-  type.def_readonly("num_pairs", &AlignIteration::num_pairs, "Pairs of points that were used.");
-  type.def_readonly("cost", &AlignIteration::cost, "What is minimised, before the step.");
+  type.def_readonly("num_pairs", &AlignIteration::num_pairs, "Pairs used.");
+  type.def_readonly("cost", &AlignIteration::cost, "The cost, before the step.");
   type.def_readonly("kernel_chi2", &AlignIteration::kernel_chi2, "K of the robust kernel.");
-  type.def_readonly("lever", &AlignIteration::lever, "How directions weigh against positions, metres; 0: not at all.");
+  type.def_readonly("lever", &AlignIteration::lever, "Weight of directions against positions, metres; 0: off.");
   type.def_readonly("intensity_information", &AlignIteration::intensity_information,
-                    "How brightness weighs; 0: not at all.");
+                    "Information of the brightness; 0: off.");
   type.def("__repr__", [](const AlignIteration& iteration) {
     return "<augicp.Iteration " + std::to_string(iteration.num_pairs) + " pairs, cost " +
            std::to_string(iteration.cost) + ">";
@@ -67,15 +67,15 @@ void bind_numbers(ResultType& type) {
       "(4, 4) float64: x_in_target = T_target_source @ x_in_source, metres.");
   type.def_property_readonly("iterations", found(&AlignResult::iterations), "Iterations made at full resolution.");
   type.def_property_readonly("num_pairs", found(&AlignResult::num_pairs), "Pairs at the last iteration.");
-  type.def_property_readonly(
-      "num_intensity_pairs", found(&AlignResult::num_intensity_pairs),
-      "Of these, those compared by their brightness; 0: the clouds have none, or intensity is off.");
-  type.def_property_readonly("overlap", found(&AlignResult::overlap), "Share of source points with a partner, 0 to 1.");
-  type.def_property_readonly("rmse", found(&AlignResult::rmse), "Of the distances within the final pairs, metres.");
-  type.def_property_readonly(
-      "covariance", &covariance,
-      "(6, 6) float64, or None where the pose is not held in all directions. Order tx ty tz rx ry rz "
-      "(metres, radians): an increment on the left, about the target points' zero.");
+  type.def_property_readonly("num_intensity_pairs", found(&AlignResult::num_intensity_pairs),
+                             "Pairs with compared brightness; 0: the clouds have none, or intensity is off.");
+  type.def_property_readonly("overlap", found(&AlignResult::overlap),
+                             "Share of source points with a correspondence, 0 to 1.");
+  type.def_property_readonly("rmse", found(&AlignResult::rmse),
+                             "Root mean square of the distances within the final pairs, metres.");
+  type.def_property_readonly("covariance", &covariance,
+                             "(6, 6) float64, or None if a direction of motion is free. Order tx ty tz rx ry rz "
+                             "(metres, radians): an increment on the left, about the target points' zero.");
   type.def_property_readonly(
       "information", [](const Result& result) { return to_array(result.found.information); },
       "(6, 6) float64, the last iteration's H, in the order and on the side of covariance.");
@@ -84,7 +84,7 @@ void bind_numbers(ResultType& type) {
       [](const Result& result) {
         return py::array(py::array_t<double>(6, result.found.observability.information.data()));
       },
-      "(6,) float64, ascending: how firmly the data hold six directions of motion, as parts of the best one.");
+      "(6,) float64, ascending: information of six directions of motion, divided by the largest.");
 }
 
 }  // namespace
@@ -96,15 +96,16 @@ void bind_result(py::module_& module) {
   type.def_property_readonly(
       "status", [](const Result& result) { return word_member("Status", name_of(result.found.status)); },
       "A Status; str() gives the command's word, and it equals that word.");
-  type.def_property_readonly("free_motions", found(&AlignResult::free_motions),
-                             "list of FreeMotion: what the data leave open, where status is Status.DEGENERATE.");
+  type.def_property_readonly(
+      "free_motions", found(&AlignResult::free_motions),
+      "list of FreeMotion: the motions that the data do not constrain, if status is Status.DEGENERATE.");
   type.def_property_readonly("evidence", found(&AlignResult::evidence),
-                             "An Evidence: what speaks for the pose and against it; None where there is no pose.");
-  type.def_property_readonly("doubts", &doubts, "list of Doubt: why the pose is doubted.");
+                             "An Evidence for and against the pose; None if there is no pose.");
+  type.def_property_readonly("doubts", &doubts, "list of Doubt: why the pose is doubtful.");
   type.def_property_readonly("history", found(&AlignResult::history), "list of Iteration, at full resolution.");
   type.def_property_readonly(
       "options", [](const Result& result) { return values_of(result.options); },
-      "dict of every option as it took effect, derived lengths too. align(**result.options) repeats the call.");
+      "dict of every option as it took effect, with derived lengths. align(**result.options) repeats the call.");
   type.def("__bool__", [](const Result& result) { return result.found.status == AlignStatus::Converged; });
   type.def("__repr__", &in_words);
 }

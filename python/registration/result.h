@@ -8,7 +8,7 @@
 
 namespace augicp::python {
 
-// Python's augicp.Result: what was found, and the options it was found with, lengths as they were derived.
+// Python's augicp.Result: the result, and the options used, with derived lengths.
 struct Result {
   AlignResult found;
   RegistrationOptions options;

@@ -21,12 +21,12 @@ Camera(fx, fy, cx, cy, width, height, distortion, readout_s)
 
 Focal lengths and centre in pixels; pixel (0, 0) is the centre of the first one. Camera frame: x right, y down, z forward.
 width, height: of its images; 0: any. distortion: the lens's k1 k2 p1 p2 k3, as in OpenCV and ROS ("plumb_bob").
-readout_s: a rolling shutter reads the first row so many seconds before the last; 0: all at once.
+readout_s: rolling shutter: seconds from the readout of the first row to that of the last; 0: all rows at once.
 
-Wherever a camera is asked for, text does too: see Camera.read. Raises ArgumentError for values out of range.)";
+A camera argument may also be text: see Camera.read. Raises ArgumentError for values out of range.)";
 
 constexpr const char* kReadDoc = R"(A camera from text: a known name (see Camera.names), numbers "fx fy cx cy" with or
-without a lens's "k1 k2 p1 p2 k3" behind them, or the path of a file with such numbers, a 3 x 3 intrinsic matrix, or
+without the lens "k1 k2 p1 p2 k3" after them, or the path of a file with such numbers, a 3 x 3 intrinsic matrix, or
 JSON as Open3D writes it. Raises FileError.)";
 
 DepthCamera made(double fx, double fy, double cx, double cy, int width, int height,

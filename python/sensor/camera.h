@@ -7,7 +7,7 @@
 
 namespace augicp::python {
 
-// An augicp.Camera, or text that read_camera() understands. Throws WrongType, IoError or std::invalid_argument.
+// An augicp.Camera, or text for read_camera(). Throws WrongType, IoError or std::invalid_argument.
 DepthCamera camera_from(const pybind11::object& given);
 
 }  // namespace augicp::python

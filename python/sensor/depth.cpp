@@ -21,14 +21,14 @@ constexpr double kMetres = 1.0;  // the scale of values that are metres already
 void check_shape(const py::array& image) {
   if (image.ndim() != 2)
     throw std::invalid_argument("depth image: expected shape (height, width), found " + shape_text(image));
-  // A side that does not fit an int is refused too: there may be as many pixels as points.
+  // A side beyond int is refused too: the limit of points is the limit of pixels.
   const auto limit = static_cast<py::ssize_t>(ReadOptions{}.max_points);
   const bool is_too_large = image.shape(0) > limit || image.shape(1) > limit ||
                             (image.shape(1) > 0 && image.shape(0) > limit / image.shape(1));
   if (is_too_large) throw std::invalid_argument("depth image: too large, shape " + shape_text(image));
 }
 
-// One value of the type that the array was converted to, in row-major order.
+// One value of the converted array, in row-major order.
 template <typename Value>
 std::vector<Value> values_of(const py::array& given) {
   const auto array = py::array_t<Value, py::array::c_style | py::array::forcecast>::ensure(given);
@@ -49,10 +49,10 @@ std::vector<std::uint16_t> sensor_values(const py::array& image) {
 
 constexpr const char* kReadDoc =
     R"(The depth image in a PNG of 16-bit grey values, as a new (height, width) float32 array
-of metres; NaN where there is no reading (0 and 65535).
+of metres; NaN if there is no reading (0 and 65535).
 
 depth_scale: the value of one metre; 5000 in the TUM benchmark, 1000 in most others. Raises FileError for any other kind of
-PNG, and where the readings say that the scale is wrong by a factor.)";
+PNG, and if the readings show that the scale is wrong by a factor.)";
 
 py::array read_depth(const std::filesystem::path& path, double depth_scale) {
   const DepthImage image = without_gil([&](const std::stop_token&) {

@@ -9,11 +9,11 @@
 
 namespace augicp::python {
 
-// The depth image in a (height, width) array. Of integers from 0 to 65535: depth_scale, which must be given, is the
-// value of one metre. Of floats: metres, or with a depth_scale the same. Throws WrongType or std::invalid_argument.
+// The depth image in a (height, width) array. Integers from 0 to 65535 require depth_scale, the value of one metre.
+// Floats are metres, unless depth_scale is given. Throws WrongType or std::invalid_argument.
 DepthImage depth_image_from(const pybind11::object& given, std::optional<double> depth_scale);
 
-// Throws std::invalid_argument where the readings say that the scale is wrong, see depth_scale_problem().
+// Throws std::invalid_argument if the readings show that the scale is wrong, see depth_scale_problem().
 void check_scale(const DepthImage& image, std::optional<double> depth_scale);
 
 }  // namespace augicp::python

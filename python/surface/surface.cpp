@@ -11,21 +11,21 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(Normals, tangents and structures, as a registration estimates them.
+constexpr const char* kDoc = R"(Estimates normals, tangents and structures as a registration does.
 
 cloud: (N, 3) array, metres, or Cloud; directions that it has are replaced.
-threads: 0: all the machine's. The result has the same bits for any number.
+threads: 0: all of the machine. The result is bit-identical for any number.
 Options, by keyword: radius, voxel_size, preset, classifier and the others of align.
 
-Returns a new Cloud with directions and structures. Without a depth image it has one point a voxel, in an order along space:
-not the points that were given. Raises ArgumentError where all points lie in one place, and as align does. Works without the
-GIL; may be called from several threads at once; Ctrl-C ends it between two stages.)";
+Returns a new Cloud with directions and structures. Without a depth image it has one point per voxel, ordered along a curve:
+not the points that were given. Raises ArgumentError if all points are equal, and like align. Releases the GIL; may be
+called from several threads at once; Ctrl-C ends it between two stages.)";
 
 Scan extended(Scan scan, const RegistrationOptions& options) {
-  scan.cloud.directions.clear();  // asked for ours, not for what the cloud brought
+  scan.cloud.directions.clear();  // the cloud's own directions are not used
   scan.cloud.structures.clear();
   const Lengths lengths = lengths_for(scan, scan, options);
-  if (!(lengths.radius > 0.0)) throw std::invalid_argument("cloud: all points lie in one place, there is no surface");
+  if (!(lengths.radius > 0.0)) throw std::invalid_argument("cloud: all points are equal, so there is no surface");
   return prepare(std::move(scan), lengths, options);
 }
 

@@ -31,20 +31,21 @@ void bind_free_motion(py::module_& module) {
 }
 
 void bind_testimony(py::module_& module) {
-  py::class_<Testimony> type(module, "Testimony", "What one cloud says of the other, as shares from 0 to 1.");
-  type.def_property_readonly("seen", &Testimony::seen, "Of all points: should have been visible to the other sensor.");
-  type.def_property_readonly("agreeing", &Testimony::agreeing, "Of those: found again, on a surface turned alike.");
-  type.def_property_readonly("conflicting", &Testimony::conflicting, "Of those: where the other's camera saw through.");
+  py::class_<Testimony> type(module, "Testimony", "What one cloud shows of the other, as shares from 0 to 1.");
+  type.def_property_readonly("seen", &Testimony::seen, "Share of all points that the other sensor should see.");
+  type.def_property_readonly("agreeing", &Testimony::agreeing, "Share of those on a surface with an agreeing normal.");
+  type.def_property_readonly("conflicting", &Testimony::conflicting,
+                             "Share of those in free space of the other's camera.");
   type.def_property_readonly(
-      "num_points", [](const Testimony& testimony) { return testimony.count.total(); }, "Points that were asked.");
+      "num_points", [](const Testimony& testimony) { return testimony.count.total(); }, "Points that were compared.");
   type.def_readonly("knows_free_space", &Testimony::knows_free_space, "It is a depth image.");
 }
 
 void bind_residuals(py::module_& module) {
-  py::class_<ResidualStatistics> statistics(module, "ResidualStatistics", "The typical size of one kind of error.");
-  statistics.def_readonly("count", &ResidualStatistics::count, "Pairs with this error.");
-  statistics.def_readonly("median", &ResidualStatistics::median, "Metres or radians; 0 where there is none.");
-  py::class_<Residuals> residuals(module, "Residuals", "What the pose leaves of each measured quantity.");
+  py::class_<ResidualStatistics> statistics(module, "ResidualStatistics", "The typical size of one kind of residual.");
+  statistics.def_readonly("count", &ResidualStatistics::count, "Pairs with this residual.");
+  statistics.def_readonly("median", &ResidualStatistics::median, "Metres or radians; 0 if there is none.");
+  py::class_<Residuals> residuals(module, "Residuals", "Residuals of each measured quantity under the pose.");
   residuals.def_readonly("point", &Residuals::point, "Distances from the target's planes, metres.");
   residuals.def_readonly("normal", &Residuals::normal, "Angles between normals, radians.");
   residuals.def_readonly("tangent", &Residuals::tangent, "Angles between tangents, radians.");
@@ -56,19 +57,19 @@ void bind_evidence(py::module_& module) {
   bind_free_motion(module);
   bind_testimony(module);
   bind_residuals(module);
-  py::class_<Evidence> type(module, "Evidence", "All that is known of a pose that was found; docs/verdict.md.");
+  py::class_<Evidence> type(module, "Evidence", "Evidence for and against a pose; docs/verdict.md.");
   type.def_readonly("source_in_target", &Evidence::source_in_target,
-                    "What the target says of the source: a Testimony.");
+                    "What the target shows of the source: a Testimony.");
   type.def_readonly("target_in_source", &Evidence::target_in_source,
-                    "What the source says of the target: a Testimony.");
+                    "What the source shows of the target: a Testimony.");
   type.def_readonly("residuals", &Evidence::residuals, "Residuals of the final pairs.");
   type.def_readonly("beyond_planes", &Evidence::beyond_planes,
-                    "Of what agrees: the share from 0 to 1 off the three planes that hold the most of it.");
+                    "Share, from 0 to 1, of the points that agree off the three largest planes.");
   type.def_readonly("moved", &Evidence::moved,
-                    "How far the pose moved the source from the guess, by its radius of gyration.");
+                    "RMS motion of the source from the guess, divided by its radius of gyration.");
   type.def_property_readonly(
       "strain", [](const Evidence& evidence) { return strain(evidence); },
-      "The largest part of what is allowed; above 1 the pose is doubted.");
+      "The largest ratio of a value to its limit; above 1 the pose is doubtful.");
 }
 
 }  // namespace augicp::python

@@ -107,16 +107,14 @@ void add_method_options(CLI::App& command, AlignArguments& arguments) {
 void add_output_options(CLI::App& command, AlignArguments& arguments) {
   const std::string group = "Output";
   command.add_option("--transform", arguments.transform, "Write T_target_source as 4x4 text")->group(group);
-  command.add_option("--output", arguments.output, "Write the source moved into the target frame (.ply or .pcd)")
-      ->group(group);
+  command.add_option("--output", arguments.output, "Write the source in the target frame (.ply or .pcd)")->group(group);
   command.add_option("--json", arguments.json, "Write all results as JSON to a file, or to stdout with -")
       ->group(group);
   command
-      .add_option("--report", arguments.page,
-                  "Write a page to look at: one HTML file, both clouds in 3D, needs no network")
+      .add_option("--report", arguments.page, "Write a report: one HTML file with both clouds in 3D, readable offline")
       ->group(group);
   command.add_flag("--trace", arguments.trace, "Include every iteration in the JSON")->group(group);
-  command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
+  command.add_flag("--quiet", arguments.quiet, "Print errors only")->group(group);
 }
 
 }  // namespace

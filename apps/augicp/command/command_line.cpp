@@ -15,7 +15,7 @@
 namespace augicp::app {
 namespace {
 
-// CLI11 takes whatever follows an option as its value, and `--json --quiet` would write a file of that name.
+// CLI11 takes any text after an option as its value; `--json --quiet` would write a file of that name.
 void refuse_options_as_values(CLI::App& app) {
   const CLI::Validator no_option(
       [](const std::string& value) {

@@ -30,7 +30,7 @@ Trajectory read_trajectory(const std::string& path) {
   return std::move(file.trajectory);
 }
 
-// Options were checked: what is refused now is what the files say.
+// Options were checked before: errors here concern the files.
 Evaluation evaluate_files(const EvaluateArguments& arguments) {
   const Trajectory estimate = read_trajectory(arguments.estimate), truth = read_trajectory(arguments.truth);
   try {
@@ -65,9 +65,9 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
   add_all_options(*command, arguments->options);
   command->add_option("--json", arguments->json, "Write all results as JSON to a file, or to stdout with -")
       ->group("Output");
-  command->add_flag("--quiet", arguments->quiet, "Print nothing but errors")->group("Output");
+  command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");
   command->footer(
-      "Poses are T_world_camera, stamps in seconds. ATE is told twice, with the worlds as they are and aligned.\n"
+      "Poses are T_world_camera, stamps in seconds. ATE is reported twice, not aligned and aligned.\n"
       "Examples:\n"
       "  augicp evaluate trajectory.txt groundtruth.txt\n"
       "  augicp evaluate trajectory.txt groundtruth.txt --delta 1 --unit seconds --json errors.json\n"

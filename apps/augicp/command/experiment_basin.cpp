@@ -57,7 +57,7 @@ int run(BasinArguments arguments) {
   write_text(arguments.output.csv, basin_csv(cells));
   fmt::print(stderr, "{}", basin_text(cells, options));
   if (!arguments.output.page.empty())
-    write_text_file(arguments.output.page, experiment_page({"From how far away the registration finds the truth",
+    write_text_file(arguments.output.page, experiment_page({"Basin of convergence: success from disturbed starts",
                                                             "Source: " + arguments.source,
                                                             "Target: " + arguments.target, basin_text(cells, options)},
                                                            basin_quantities(cells)));
@@ -69,20 +69,18 @@ void add_basin_options(CLI::App& command, BasinArguments& arguments) {
   BasinOptions& options = arguments.options;
   command
       .add_option("--truth", arguments.truth,
-                  "T_target_source, a file (default: where the registration from the identity converges)")
+                  "T_target_source, a file (default: the result of the registration from the identity)")
       ->group(starts);
-  command.add_option("--angles-deg", arguments.angles_deg, "Turns about the middle of the source")
+  command.add_option("--angles-deg", arguments.angles_deg, "Rotations about the centroid of the source")
       ->delimiter(',')
       ->capture_default_str()
       ->group(starts);
   command.add_option("--distances", options.distances, "Metres")->delimiter(',')->capture_default_str()->group(starts);
-  command.add_option("--starts", options.num_starts, "For each angle and distance")
-      ->capture_default_str()
-      ->group(starts);
+  command.add_option("--starts", options.num_starts, "Per angle and distance")->capture_default_str()->group(starts);
   command.add_option("--seed", options.seed)->capture_default_str()->group(starts);
-  command.add_option("--limit", arguments.limit, "Success is nearer to the truth, metres (default: the ball's radius)")
+  command.add_option("--limit", arguments.limit, "Largest error of a success, metres (default: the ball radius)")
       ->group(starts);
-  command.add_option("--limit-deg", arguments.limit_deg, "And within this angle (default 2)")->group(starts);
+  command.add_option("--limit-deg", arguments.limit_deg, "Largest angle of a success (default 2)")->group(starts);
   add_options(command, options.registration,
               {"preset", "method", "max_distance", "max_iterations", "threads", "search", "coarse_to_fine",
                "rolling_shutter", "intensity"});
@@ -93,16 +91,16 @@ void add_basin_options(CLI::App& command, BasinArguments& arguments) {
 void add_basin_experiment(CLI::App& experiment, int& exit_code) {
   const auto arguments = std::make_shared<BasinArguments>();
   arguments->options.distances = {0.0, 0.5, 1.0, 2.0};
-  CLI::App* command = experiment.add_subcommand("basin", "From how far away a registration finds the truth");
+  CLI::App* command = experiment.add_subcommand("basin", "Basin of convergence: success from disturbed starts");
   command->add_option("source,--source", arguments->source, "The moving cloud or depth image")->required();
   command->add_option("target,--target", arguments->target, "The fixed one")->required();
   add_input_options(*command, arguments->input);
   add_basin_options(*command, *arguments);
   add_experiment_output(*command, arguments->output);
   command->footer(
-      "CSV: share of starts that end at the truth, and mean iterations, for each angle and distance. The mean of the "
+      "CSV: share of successful starts, and mean iterations, per angle and distance. The mean of the "
       "share\n"
-      "over the surface, straight between the cells, is printed to stderr.\n"
+      "over the surface, linear between the cells, is printed to stderr.\n"
       "Examples:\n"
       "  augicp experiment basin scan_b.ply scan_a.ply --truth T.txt --output basin.csv\n"
       "  augicp experiment basin 000002.png 000001.png --camera tum-fr1 --distances 0,0.1,0.2 --report basin.html\n"

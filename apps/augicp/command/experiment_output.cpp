@@ -10,8 +10,7 @@ void add_experiment_output(CLI::App& command, ExperimentOutput& output) {
   command.add_option("--output", output.csv, "Write the CSV to a file, or to stdout with -")
       ->capture_default_str()
       ->group(group);
-  command
-      .add_option("--report", output.page, "Write a page to look at: one HTML file with the curves, needs no network")
+  command.add_option("--report", output.page, "Write a report: one HTML file with the curves, readable offline")
       ->group(group);
   command.add_option("--progress", output.progress, "A bar on the terminal: auto or none (default auto)")
       ->transform(choice<Progress>())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The output options that all experiments share.
+// The output options of all experiments.
 #pragma once
 
 #include <CLI/CLI.hpp>

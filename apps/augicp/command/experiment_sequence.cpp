@@ -88,10 +88,10 @@ void add_input(CLI::App& command, SequenceArguments& arguments) {
       ->delimiter(',')
       ->capture_default_str()
       ->group(group);
-  command.add_option("--every", options.every, "Every so many frames is a target")->capture_default_str()->group(group);
-  command.add_option("--pairs", options.max_targets, "At most so many targets, evenly spread (default: all)")
+  command.add_option("--every", options.every, "Every N-th frame is a target")->capture_default_str()->group(group);
+  command.add_option("--pairs", options.max_targets, "Largest number of targets, evenly spread (default: all)")
       ->group(group);
-  command.add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows")
+  command.add_option("--pixel-step", options.pixel_step, "Use every N-th pixel and row")
       ->capture_default_str()
       ->group(group);
   command
@@ -121,7 +121,9 @@ void add_method(CLI::App& command, SequenceOptions& options) {
                   "Surfaces from: window of 3D size (default), square of pixels as in the paper, exact ball (slow)")
       ->transform(choice<Surroundings>())
       ->group(group);
-  command.add_option("--iterations", options.iterations, "Exactly so many")->capture_default_str()->group(group);
+  command.add_option("--iterations", options.iterations, "Exact number of iterations")
+      ->capture_default_str()
+      ->group(group);
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ void add_options(CLI::App& command, SyntheticArguments& arguments) {
       ->delimiter(',')
       ->capture_default_str()
       ->group(scene);
-  command.add_option("--seeds", options.num_seeds, "So many scenes and motions")->capture_default_str()->group(scene);
-  command.add_option("--seed", options.first_seed, "The first of them")->capture_default_str()->group(scene);
+  command.add_option("--seeds", options.num_seeds, "Number of scenes and motions")->capture_default_str()->group(scene);
+  command.add_option("--seed", options.first_seed, "The first seed")->capture_default_str()->group(scene);
   command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")
       ->delimiter(',')
       ->transform(choice<Method>())
@@ -70,7 +70,7 @@ void add_options(CLI::App& command, SyntheticArguments& arguments) {
                   "K of Eq. (13), in units of chi2 (default: the preset's; the paper's is 1)")
       ->group(method);
   command.add_option("--iterations", options.iterations)->capture_default_str()->group(method);
-  command.add_option("--threads", options.num_threads, "0: all; the result is the same for any number")
+  command.add_option("--threads", options.num_threads, "0: all; the result is bit-identical for any number")
       ->capture_default_str()
       ->group(method);
 }

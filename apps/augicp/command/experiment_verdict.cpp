@@ -61,35 +61,35 @@ void add_verdict_experiment(CLI::App& experiment, int& exit_code) {
   VerdictOptions& options = arguments->options;
   CLI::App* command =
       experiment.add_subcommand("verdict", "How often `converged` is right, and how often it is withheld");
-  command->add_option("sequences,--sequences", arguments->folders, "Folders with depth images, each of another place")
+  command
+      ->add_option("sequences,--sequences", arguments->folders, "Folders with depth images, each of a different place")
       ->required();
-  command->add_option("--camera", arguments->cameras, "One for all, or one a sequence; own: the folder's")
+  command->add_option("--camera", arguments->cameras, "One for all, or one per sequence; own: the folder's")
       ->delimiter(';')
       ->group("Input");
   command->add_option("--gaps", options.gaps, "Pairs within a sequence with truth: frames apart")
       ->delimiter(',')
       ->capture_default_str()
       ->group("Input");
-  command->add_option("--every", options.every, "Every so many frames is a target")
+  command->add_option("--every", options.every, "Every N-th frame is a target")->capture_default_str()->group("Input");
+  command->add_option("--across", options.num_across, "Number of pairs of different sequences")
       ->capture_default_str()
       ->group("Input");
-  command->add_option("--across", options.num_across, "So many pairs of different sequences")
+  command->add_option("--seed", options.seed, "Seed of their choice")->capture_default_str()->group("Input");
+  command->add_option("--pixel-step", options.pixel_step, "Use every N-th pixel and row")
       ->capture_default_str()
       ->group("Input");
-  command->add_option("--seed", options.seed, "Of the choice of these")->capture_default_str()->group("Input");
-  command->add_option("--pixel-step", options.pixel_step, "Use every so many pixels of every so many rows")
+  command->add_option("--time-offset", options.time_offset_s, "Read the truth at stamp + offset, seconds")
       ->capture_default_str()
       ->group("Input");
-  command->add_option("--time-offset", options.time_offset_s, "Truth is read at stamp + offset, seconds")
-      ->capture_default_str()
-      ->group("Input");
-  command->add_flag("--as-clouds", options.as_clouds, "Forget the cameras: bare points, nearest neighbours")
+  command->add_flag("--as-clouds", options.as_clouds, "Ignore the cameras: bare points, nearest neighbours")
       ->group("Method");
   add_options(*command, options.registration, {"threads", "search", "coarse_to_fine", "rolling_shutter"});
   add_experiment_output(*command, arguments->output);
   command->add_option("--table", arguments->table, "Write the confusion table to a file (default: stdout)")
       ->group("Output");
-  command->add_option("--roc", arguments->roc, "Write what other limits would accept and refuse, CSV")->group("Output");
+  command->add_option("--roc", arguments->roc, "Write the results that other limits would accept and refuse, CSV")
+      ->group("Output");
   command->footer(
       "Guess: identity. A result is right within 5 cm and 3 degrees, wrong beyond twice of either.\n"
       "Examples:\n"

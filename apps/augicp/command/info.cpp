@@ -69,7 +69,7 @@ int run_info(const InfoArguments& arguments) {
 
 void add_info_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command = app.add_subcommand("info", "Say what a file holds: points, bounds, normals, invalid points");
+  CLI::App* command = app.add_subcommand("info", "Show the content of a file: points, bounds, normals, invalid points");
   command->add_option("file", arguments->file, "A cloud or a depth image")->required();
   add_input_options(*command, arguments->input);
   command->add_option("--json", arguments->json, "Write it as JSON to a file, or to stdout with -")->group("Output");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the arguments of a subcommand to clouds.
+// Reads the clouds that the arguments of a subcommand name.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,7 +15,7 @@ namespace augicp::app {
 
 struct InputOptions {
   std::string camera;           // name, file or "fx fy cx cy"; for depth images
-  double depth_scale = 5000.0;  // value of a pixel at one metre
+  double depth_scale = 5000.0;  // pixel value at one metre
   ReadOptions read;
 };
 
@@ -26,18 +26,18 @@ struct Input {
   ReadReport report;
 };
 
-// A depth image (.png) or a cloud. grey_path: of an image registered to the depth image, or empty. Throws IoError, also
-// where the two images differ in size, and std::invalid_argument for a depth image without a camera or a cloud with an
+// A depth image (.png) or a cloud. grey_path: an image registered to the depth image, or empty. Throws IoError, also if
+// the sizes of the two images differ, and std::invalid_argument for a depth image without a camera or a cloud with an
 // image.
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path = {});
 
-// The camera asked for, see read_camera, or where none is the sequence's own. Throws std::invalid_argument where that
-// has none and IoError where its file is damaged; folder is for the message.
+// The given camera, see read_camera, or else the sequence's own. Throws std::invalid_argument if there is none, and
+// IoError if its file is damaged; folder is for the message.
 DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for);
 
-// Throws std::invalid_argument unless the output is empty (not asked for) or ends in one of these, before any work is
-// done.
+// Throws std::invalid_argument unless the output is empty (not requested) or ends in one of these. Called before any
+// work.
 void require_extension(const std::string& output, const std::vector<std::string>& extensions);
 
 }  // namespace augicp::app

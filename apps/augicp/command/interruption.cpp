@@ -12,10 +12,10 @@
 namespace augicp::app {
 namespace {
 
-// Held while a file is written. Signals are the process's, and so is this.
+// Locked while a file is written. Global, because signals belong to the process.
 std::recursive_mutex writing;
 
-// A pipe that nobody reads would let the command wait for ever.
+// A pipe without a reader must not block the command for ever.
 constexpr int kMaxWaits = 100;
 constexpr timespec kWait{0, 10'000'000};  // 10 ms
 
@@ -34,13 +34,13 @@ sigset_t ending_signals() {
 
 void say_interrupted() {
   constexpr std::string_view kClearLine = "\r\033[K", kWords = "augicp: interrupted\n";
-  // Past stdio, whose lock the interrupted thread may hold. There is nobody to tell of a failure.
+  // Bypasses stdio, whose lock the interrupted thread may hold. A failure cannot be reported.
   if (::isatty(STDERR_FILENO) == 1 && ::write(STDERR_FILENO, kClearLine.data(), kClearLine.size()) < 0) return;
   if (::write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) return;
 }
 
-// Nothing is unwound: what the command computes is its own, and files are whole or absent at any moment that the mutex
-// is free. So no loop has to ask whether it should stop.
+// Nothing is unwound: no result of the command outlives the process, and files are whole or absent whenever the mutex
+// is free. So no loop has to check for a stop.
 void end_on_first_of(const sigset_t& signals) {
   int signal = 0;
   if (::sigwait(&signals, &signal) != 0) return;

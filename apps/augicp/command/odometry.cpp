@@ -55,7 +55,7 @@ DepthCamera camera_for(const DepthSequence& sequence, const OdometryArguments& a
   return camera;
 }
 
-// The frames asked for, each with its number in the sequence.
+// The selected frames, each with its number in the sequence.
 std::vector<FrameRow> chosen_frames(const DepthSequence& sequence, const OdometryArguments& arguments) {
   std::vector<FrameRow> rows;
   const std::size_t end = std::min(arguments.last, sequence.frames.size());
@@ -83,7 +83,7 @@ void compare_with_truth(const Trajectory& truth, const OdometryArguments& argume
   }
 }
 
-// models: filled for the frames that the page keeps, where one is asked for.
+// models: filled for the frames that the page keeps, if there is a page.
 OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& camera, const OdometryArguments& arguments,
                            std::vector<KeptModel>& models) {
   OdometryRun run{arguments.sequence,    sequence.layout, chosen_frames(sequence, arguments), 0.0, {},
@@ -113,7 +113,7 @@ ExitCode exit_code_for(const OdometryRun& run) {
   return num_segments(run) > 1 || !mostly_tracked(run) ? kDoubtful : kSuccess;
 }
 
-// Every image refused: then the reason is not the images.
+// If every image is refused, the images are not the reason.
 void require_readable_frames(const OdometryRun& run) {
   const auto is_unreadable = [](const FrameRow& row) { return row.report.status == FrameStatus::Unreadable; };
   if (std::all_of(run.rows.begin(), run.rows.end(), is_unreadable))
@@ -157,7 +157,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
   const std::string config = effective_config(command, sequence, camera, folder);
   write_text_file(folder / "config.toml", config);
-  // The options come first, so that a folder that cannot be written to costs no run; what another run left goes.
+  // The options are written first, so that an unwritable folder costs no run. Results of another run are removed.
   for (const char* name : {"trajectory.txt", "frames.csv", "metrics.json"}) fs::remove(folder / name, error);
 
   std::vector<KeptModel> models;
@@ -191,14 +191,14 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
       .add_option("--readout", arguments.readout_s,
                   "Rolling shutter: seconds from the first row to the last (default: the camera's; 0: none)")
       ->group(group);
-  command.add_option("--rate", arguments.frames_per_s, "Frames a second where the folder has no time stamps")
+  command.add_option("--rate", arguments.frames_per_s, "Frames per second, if the folder has no time stamps")
       ->capture_default_str()
       ->group(group);
-  command.add_option("--first", arguments.first, "The first frame: its place in the sequence, from 0")
+  command.add_option("--first", arguments.first, "The first frame, counted from 0")
       ->capture_default_str()
       ->group(group);
   command.add_option("--last", arguments.last, "The frame to stop before (default: all)")->group(group);
-  command.add_option("--every", arguments.every, "Use every so many frames")
+  command.add_option("--every", arguments.every, "Use every N-th frame")
       ->check(CLI::Range(1, 1'000'000'000))
       ->capture_default_str()
       ->group(group);
@@ -214,11 +214,10 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
   const std::string group = "Output";
   command.add_option("--output", arguments.output, "Folder for the results, made if missing (default: NAME_odometry)")
       ->group(group);
-  command.add_option("--time-offset", arguments.time_offset_s, "Truth is read at stamp + offset, seconds")
+  command.add_option("--time-offset", arguments.time_offset_s, "Read the truth at stamp + offset, seconds")
       ->capture_default_str()
       ->group(group);
-  command.add_option("--report", arguments.page, "Write a page to look at: one HTML file, needs no network")
-      ->group(group);
+  command.add_option("--report", arguments.page, "Write a report: one HTML file, readable offline")->group(group);
   command.add_option("--json", arguments.json, "With -: print metrics.json to stdout")
       ->check(CLI::IsMember({"-"}))
       ->group(group);
@@ -226,7 +225,7 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
       ->default_str("auto")
       ->transform(choice<Progress>())
       ->group(group);
-  command.add_flag("--quiet", arguments.quiet, "Print nothing but errors")->group(group);
+  command.add_flag("--quiet", arguments.quiet, "Print errors only")->group(group);
 }
 
 }  // namespace
@@ -242,7 +241,7 @@ void add_odometry_command(CLI::App& app, int& exit_code) {
   add_method_options(*command, arguments->odometry);
   add_output_options(*command, *arguments);
   command->footer(
-      "trajectory.txt has T_world_camera in TUM format; the world is the first camera.\n"
+      "trajectory.txt has T_world_camera in TUM format; the world is the frame of the first camera.\n"
       "Examples:\n"
       "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk --report desk.html\n"
       "  augicp odometry chess/seq-01 --last 500\n"

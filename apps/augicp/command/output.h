@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results as files, each whole or not at all, also when a signal ends the command.
+// Results as files, each whole or absent, also if a signal ends the command.
 #pragma once
 
 #include <nlohmann/json.hpp>

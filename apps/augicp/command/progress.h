@@ -31,7 +31,7 @@ inline constexpr auto kWords<app::Progress> = std::to_array<Word<app::Progress>>
 
 namespace augicp::app {
 
-// A bar on stderr with the share done, the rate and the time left. Nothing where stderr is not a terminal or Progress
+// A bar on stderr with the share done, the rate and the remaining time. Nothing if stderr is not a terminal or Progress
 // is None.
 class ProgressBar {
  public:

@@ -25,7 +25,7 @@ struct SurfaceArguments {
   bool quiet = false;
 };
 
-// Told apart by people of any colour vision (Okabe and Ito): planar blue, edge orange, none grey.
+// Distinguishable for people with any colour vision (Okabe and Ito): planar blue, edge orange, none grey.
 Colour colour_of(Structure structure) {
   switch (structure) {
     case Structure::Planar:
@@ -47,11 +47,10 @@ int run_surface(const SurfaceArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply"});
   Scan scan = read_input(arguments.input_file, arguments.input).scan;
-  scan.cloud.directions.clear();  // asked for ours, not for what the file brought
+  scan.cloud.directions.clear();  // the file's own directions are not used
   scan.cloud.structures.clear();
   const Lengths lengths = lengths_for(scan, scan, arguments.registration);
-  if (!(lengths.radius > 0.0))
-    throw IoError(arguments.input_file + ": all points lie in one place, there is no surface");
+  if (!(lengths.radius > 0.0)) throw IoError(arguments.input_file + ": all points are equal, so there is no surface");
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
   std::vector<Colour> colours(cloud.size(), colour_of(Structure::None));
   std::transform(cloud.structures.begin(), cloud.structures.end(), colours.begin(), colour_of);
@@ -71,11 +70,11 @@ void add_surface_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("surface", "Write the extended points: normals, tangents, structure as colour");
   command->add_option("input", arguments->input_file, "A cloud or a depth image")->required();
   command->add_option("--output", arguments->output, "The .ply to write")->required()->group("Output");
-  command->add_flag("--quiet", arguments->quiet, "Print nothing but errors")->group("Output");
+  command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");
   add_input_options(*command, arguments->input);
   add_options(*command, arguments->registration, {"preset", "radius", "voxel_size", "threads"});
   command->footer(
-      "Colours: planar blue, edge orange, none grey. Normals point to the sensor where it is known.\n"
+      "Colours: planar blue, edge orange, none grey. Normals point to the sensor if its position is known.\n"
       "Examples:\n"
       "  augicp surface 000001.png --camera tum-fr1 --output extended.ply\n"
       "  augicp surface scan.ply --radius 0.05 --output extended.ply\n"

@@ -5,7 +5,7 @@
 
 namespace augicp::app {
 
-// What the page of `augicp align --report` is drawn from. A view: all of it must outlive the picture.
+// The content of the page of `augicp align --report`. A view. REQUIRES: all of it outlives the picture.
 struct AlignPicture {
   const AlignReport& report;
   const Rigid3& initial;  // target_from_source

@@ -11,7 +11,7 @@
 namespace augicp::app {
 namespace {
 
-// Of each cloud: both together are drawn smoothly on a laptop, and take some 6 MB of a file.
+// Limit per cloud: two are drawn smoothly on a laptop, and take about 6 MB of a file.
 constexpr std::size_t kMaxPoints = 100'000;
 
 template <typename Value>
@@ -34,7 +34,7 @@ nlohmann::ordered_json cloud_json(const Cloud& cloud, const std::vector<std::uin
   return json;
 }
 
-// In the page's frame, one a source point; NaN where there is none.
+// In the page's frame, one per source point; NaN if there is none.
 std::vector<Vec3f> partners_of(const AlignPicture& picture, const Vec3f& centre) {
   const Scan &source = picture.prepared.source, &target = picture.prepared.target;
   std::vector<Vec3f> partners(source.cloud.size(), Vec3f::Constant(std::numeric_limits<float>::quiet_NaN()));
@@ -69,7 +69,8 @@ Rigid3 page_from_source(const CloudFrame& frame, const Rigid3& target_from_sourc
 
 nlohmann::ordered_json view_json(const CloudFrame& frame) {
   const Vec3d zero = Vec3d::Zero();
-  // A camera's frame has y down: from behind it, a little above and beside. Else z is taken to be up.
+  // A camera's frame has y down: the view is from behind it, slightly above and beside. Otherwise z is assumed to be
+  // up.
   if (frame.eye) {
     const Vec3d eye = 1.35 * *frame.eye + frame.extent * Vec3d(0.25, -0.18, 0.0);
     return {{"eye", numbers(eye)}, {"target", numbers(zero)}, {"up", numbers(-Vec3d::UnitY())}};

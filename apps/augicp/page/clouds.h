@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clouds as a page draws them: around its zero, thinned, packed.
+// Clouds in the form that a page draws: around its zero, downsampled, packed.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,21 +8,21 @@
 
 namespace augicp::app {
 
-// The page's frame: the target's, with its zero in the middle of what the target shows, so that float is fine enough.
+// The page's frame: the target's, with its zero at the centre of the target's points, so that float is precise enough.
 struct CloudFrame {
   const Cloud* source = nullptr;
   const Cloud* target = nullptr;
   Vec3f centre = Vec3f::Zero();       // of the target's points, relative to its origin
   Vec3d target_zero = Vec3d::Zero();  // the page's zero in the target's frame
-  double extent = 1.0;                // of what is to be seen, metres, above 0
-  std::optional<Vec3d> eye{};         // the target's camera, where it had one
+  double extent = 1.0;                // of the visible points, metres, above 0
+  std::optional<Vec3d> eye{};         // the target's camera, if it has one
 };
 CloudFrame frame_of(const Scan& source, const Scan& target);
 
-// For the source's points as they are kept, without their origin.
+// For the source's points as stored, without their origin.
 Rigid3 page_from_source(const CloudFrame& frame, const Rigid3& target_from_source);
 
-// Where the first look is from.
+// The initial view.
 nlohmann::ordered_json view_json(const CloudFrame& frame);
 
 // Both clouds, and each source point's partner under the final pose.
@@ -31,7 +31,7 @@ struct PairedClouds {
 };
 PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame);
 
-// In the cloud's frame, the component-wise median; zero where there is none.
+// The component-wise median in the cloud's frame; zero for an empty cloud.
 Vec3d middle_of(const Cloud& cloud);
 
 }  // namespace augicp::app

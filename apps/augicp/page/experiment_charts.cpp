@@ -8,7 +8,7 @@
 namespace augicp::app {
 namespace {
 
-// The chart with this title, made like the given one where there is none yet.
+// The chart with this title; if there is none yet, one made like the given chart.
 Chart& chart_called(Quantity& quantity, Chart made) {
   for (Chart& chart : quantity.charts)
     if (chart.title == made.title) return chart;
@@ -75,8 +75,8 @@ std::vector<Quantity> sequence_quantities(std::span<const SequenceCurve> curves,
 }
 
 std::vector<Quantity> basin_quantities(const std::vector<BasinCell>& cells) {
-  Chart success{"Starts that end at the truth", "turned by, degrees", "%"};
-  Chart iterations{"Mean iterations of all starts", "turned by, degrees", "iterations"};
+  Chart success{"Successful starts", "rotated by, degrees", "%"};
+  Chart iterations{"Mean iterations of all starts", "rotated by, degrees", "iterations"};
   success.y_range = AxisRange{0.0, 100.0};
   for (const BasinCell& cell : cells) {
     const std::string name = fmt::format("moved by {:g} m", cell.distance);
@@ -87,9 +87,9 @@ std::vector<Quantity> basin_quantities(const std::vector<BasinCell>& cells) {
 }
 
 std::vector<Quantity> verdict_quantities(std::span<const VerdictPair> pairs) {
-  Chart chart{"What other limits would accept and refuse", "largest strain accepted", "%"};
+  Chart chart{"Results that other limits would accept and refuse", "largest strain accepted", "%"};
   chart.y_range = AxisRange{0.0, 100.0};
-  // The curve's points lie where strains of pairs do; beyond this all are alike.
+  // The curve has a point at each strain of a pair; beyond this limit it is constant.
   constexpr double kMaxStrain = 10.0;
   for (const RocPoint& point : roc(pairs)) {
     if (point.max_strain > kMaxStrain) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of the experiments as curves.
+// Curves from the rows of the experiments.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ namespace augicp::app {
 
 struct Quantity {
   std::string name;
-  std::vector<Chart> charts;  // with the same series each
+  std::vector<Chart> charts;  // each with the same series
 };
 
 std::vector<Quantity> synthetic_quantities(const std::vector<SyntheticRow>& rows);

@@ -9,7 +9,7 @@
 namespace augicp::app {
 namespace {
 
-// One scale for all charts of a quantity, so that they compare by eye.
+// One scale for all charts of a quantity, so that they can be compared by eye.
 void share_range(Quantity& quantity) {
   AxisRange all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Chart& chart : quantity.charts) {

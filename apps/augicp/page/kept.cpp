@@ -17,7 +17,7 @@ namespace augicp::app {
 namespace {
 
 // An image of 160 x 120 and a model of 4000 points take 111 kB of a file, and so do 150 frames with their poses and
-// curves: a page keeps fewer images of a long run, so that it stays below 15 MB for up to 19 000 frames.
+// curves. A page keeps fewer images of a long run, so that it stays below 15 MB for up to 19 000 frames.
 constexpr std::size_t kMaxKept = 100;
 constexpr std::size_t kFramesPerKept = 150;
 constexpr std::size_t kBudget = 128;  // kept frames' bytes in all
@@ -38,10 +38,10 @@ std::optional<SmallImage> read_small(const std::filesystem::path& path, double d
     for (int u = 0; u < image.width; u += step) small.depth.push_back(image.at(u, v));
   return small;
 } catch (const IoError&) {
-  return std::nullopt;  // the frame's status says so
+  return std::nullopt;  // the frame's status has the reason
 }
 
-// Above what all but some of the readings are; 0 where there are none.
+// A depth above nearly all readings; 0 if there are none.
 float far_depth(const SmallImage& image) {
   std::vector<float> readings;
   for (const float depth : image.depth)
@@ -102,7 +102,7 @@ KeptModel kept_model(std::size_t row, const Odometry& odometry) {
 
 nlohmann::ordered_json kept_json(const OdometryPicture& picture, const OdometryView& view) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  float far = 0.0f;  // of the first image with readings, so that a colour means the same in all
+  float far = 0.0f;  // from the first image with readings, so that colours mean the same in all
   for (const KeptModel& model : picture.models) {
     nlohmann::ordered_json frame = frame_json(picture, model.row, far);
     frame["model"] = model_json(model.cloud);

@@ -11,11 +11,11 @@ namespace augicp::app {
 
 KeptModel kept_model(std::size_t row, const Odometry& odometry);
 
-// The rows whose depth image and local model the page has, ascending: all of a short run, of a long one so many that
-// the file stays below 15 MB.
+// The rows with a depth image and local model in the page, ascending: all of a short run; of a long one a number that
+// keeps the file below 15 MB.
 std::vector<std::uint32_t> kept_rows(std::size_t num_rows);
 
-// The depth images, read once more, and the local models of the frames that are kept.
+// The depth images, read a second time, and the local models of the kept frames.
 nlohmann::ordered_json kept_json(const OdometryPicture& picture, const OdometryView& view);
 
 }  // namespace augicp::app

@@ -8,14 +8,14 @@
 
 namespace augicp::app {
 
-// The local model after a frame, thinned.
+// The local model after a frame, downsampled.
 struct KeptModel {
-  std::size_t row = 0;  // of OdometryRun::rows
+  std::size_t row = 0;  // index in OdometryRun::rows
   Rigid3 world_from_model;
   Cloud cloud;
 };
 
-// What the page of `augicp odometry --report` is drawn from. A view: all of it must outlive the picture.
+// The content of the page of `augicp odometry --report`. A view. REQUIRES: all of it outlives the picture.
 struct OdometryPicture {
   const OdometryRun& run;
   const DepthSequence& sequence;

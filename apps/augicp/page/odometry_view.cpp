@@ -27,7 +27,7 @@ Trajectory during(const Trajectory& truth, const Trajectory& estimate, double of
   return thinned;
 }
 
-// Which axis, with which sign, this direction is nearest to.
+// The axis, with its sign, that is nearest to this direction.
 Vec3d nearest_axis(const Vec3d& direction) {
   Eigen::Index axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
@@ -74,7 +74,7 @@ OdometryView view_of(const OdometryPicture& picture) {
   Eigen::AlignedBox3d box;
   for (const StampedPose& pose : estimate) box.extend(pose.world_from_camera.translation);
   view.centre = box.center();
-  const double least = 0.3;  // of a camera that hardly moved, one wants to see the surroundings
+  const double least = 0.3;  // for a camera that hardly moved, show the surroundings
   view.extent = std::clamp(box.diagonal().norm(), least, 1e6);
   return view;
 }

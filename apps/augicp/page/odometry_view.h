@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A trajectory as a page draws it.
+// A trajectory in the form that a page draws.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,24 +10,24 @@
 
 namespace augicp::app {
 
-// The page's frame: the true world, with the estimate laid on it, where there is one, else the estimate's; its zero in
-// the middle of the trajectory.
+// The page's frame: the true world if there is one, with the estimate aligned to it, else the estimate's world; its
+// zero is in the middle of the trajectory.
 struct OdometryView {
   Similarity3 truth_from_world;
   Vec3d centre = Vec3d::Zero();
   double extent = 1.0;           // of the trajectory, metres, above 0
-  Vec3d up = -Vec3d::UnitY();    // the axis, or its opposite, that is most upwards to the camera
-  Vec3d right = Vec3d::UnitX();  // of somebody who looks down
-  Vec3d ahead = Vec3d::UnitZ();  // and what is above in that view
-  Vec3d looks = Vec3d::UnitZ();  // where the camera looks on the whole
-  Trajectory truth;              // during the run, thinned
+  Vec3d up = -Vec3d::UnitY();    // the axis, or its opposite, that is most upwards for the camera
+  Vec3d right = Vec3d::UnitX();  // right in a view from above
+  Vec3d ahead = Vec3d::UnitZ();  // up in that view
+  Vec3d looks = Vec3d::UnitZ();  // the camera's mean viewing direction
+  Trajectory truth;              // during the run, downsampled
 
   Rigid3 page_from(const Rigid3& world_from_body) const;
   Eigen::Vector2d from_above(const Vec3d& in_page) const { return {right.dot(in_page), ahead.dot(in_page)}; }
 };
 OdometryView view_of(const OdometryPicture& picture);
 
-// Consecutive positions of one segment, two points a line, as packed numbers in the page's frame.
+// Consecutive positions of one segment, two points per line, as packed numbers in the page's frame.
 std::string estimate_lines(const OdometryRun& run, const OdometryView& view);
 std::string truth_lines(const OdometryView& view);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the pages of all subcommands have in common.
+// Parts of the pages of all subcommands.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ namespace augicp::app {
 struct PageHead {
   std::string title;               // what kind of report
   std::string badge, badge_class;  // a word, and good, warn or bad; empty: none
-  std::vector<std::string> lines;  // of text below
+  std::vector<std::string> lines;  // of the text below
 };
 std::string header_html(const PageHead& head);
 
@@ -28,7 +28,7 @@ std::string figure_html(const Chart& chart, std::size_t number);
 std::string figures_html(std::span<const Chart> charts, std::size_t first_number = 0);
 nlohmann::ordered_json charts_json(std::span<const Chart> charts);
 
-// 4x4, columns first, as WebGL has it; a number that is not finite becomes null in JSON.
+// 4x4, column by column as in WebGL; a number that is not finite becomes null in JSON.
 std::vector<double> pose_numbers(const Rigid3& page_from_body);
 std::vector<double> numbers(const Vec3d& vector);
 

@@ -5,8 +5,8 @@
 
 namespace augicp::app {
 
-// The style of the reports, and their script where one was bundled. In a source file made at build time: the library
-// knows no script, and stays small.
+// The style of the reports, and their script if one was bundled. It is in a source file made at build time, so that the
+// library stays small.
 PageBundle report_bundle();
 
 }  // namespace augicp::app

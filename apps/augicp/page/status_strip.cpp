@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kWidth = 1000.0, kHeight = 26.0, kKeyframeHeight = 7.0;
 
-// How the style sheet calls it: all frames without usable readings look alike.
+// The name in the style sheet: all frames without usable readings have the same one.
 std::string class_of(FrameStatus status) {
   const bool is_other =
       status == FrameStatus::NoReadings || status == FrameStatus::OutOfOrder || status == FrameStatus::Unreadable;

@@ -19,17 +19,18 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
   switch (doubt) {
     case Doubt::LittleSeen:
       return fmt::format(
-          "Little is seen of the other cloud: {:.1f} % and {:.1f} %; {:.0f} % are asked for, more where less agrees.",
+          "Small overlap: {:.1f} % and {:.1f} % are visible to the other sensor; {:.0f} % are required, more if less "
+          "agrees.",
           100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_margin);
     case Doubt::Disagreement:
-      return fmt::format("Of what is seen, only {:.1f} % and {:.1f} % lie on the other's surface.",
+      return fmt::format("Only {:.1f} % and {:.1f} % of the visible points are on the other's surface.",
                          100.0 * one.agreeing(), 100.0 * other.agreeing());
     case Doubt::FreeSpace:
-      return fmt::format("{:.1f} % and {:.1f} % lie where the other's camera saw through; at most {:.0f} % may.",
+      return fmt::format("{:.1f} % and {:.1f} % are in free space of the other's camera; at most {:.0f} % are allowed.",
                          100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting);
     case Doubt::BarePlanes:
       return fmt::format(
-          "Only {:.1f} % of what agrees lies off three bare planes, which fit any other three, and the guess "
+          "Only {:.1f} % of the points that agree are off three bare planes, which fit any other three, and the guess "
           "was {:.1f} radii of gyration away.",
           100.0 * evidence.beyond_planes, evidence.moved);
   }
@@ -59,10 +60,10 @@ std::string both(double one, double other) { return fmt::format("{:.1f} % / {:.1
 void add_evidence(NamedTexts& rows, const Evidence& evidence) {
   const Testimony &one = evidence.source_in_target, &other = evidence.target_in_source;
   rows.emplace_back("Seen by the other (source / target)", both(one.seen(), other.seen()));
-  rows.emplace_back("Of these, on its surface", both(one.agreeing(), other.agreeing()));
+  rows.emplace_back("On its surface (of those seen)", both(one.agreeing(), other.agreeing()));
   if (one.knows_free_space || other.knows_free_space)
-    rows.emplace_back("Of these, in its free space", both(one.conflicting(), other.conflicting()));
-  rows.emplace_back("Strain (above 1: doubted)", fmt::format("{:.2f}", strain(evidence)));
+    rows.emplace_back("In its free space (of those seen)", both(one.conflicting(), other.conflicting()));
+  rows.emplace_back("Strain (above 1: doubtful)", fmt::format("{:.2f}", strain(evidence)));
 }
 
 void add_deviations(NamedTexts& rows, const Mat6d& covariance) {

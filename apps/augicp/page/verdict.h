@@ -9,10 +9,10 @@
 
 namespace augicp::app {
 
-// HTML: the status, what to do, doubts and free motions as sentences, a table of figures.
+// HTML: the status, the advice, doubts and free motions as sentences, a table of figures.
 std::string verdict_html(const AlignResult& result);
 
-// How the status is coloured: good, warn or bad.
+// The colour of the status: good, warn or bad.
 std::string badge_class(AlignStatus status);
 
 // The options that are set, but for the count of threads.

@@ -76,7 +76,7 @@ nlohmann::ordered_json evidence_json(const AlignResult& result) {
 }
 
 std::string testimony_text(const char* name, const Testimony& testimony) {
-  std::string text = fmt::format("{} sees {:.0f} % of the other, of it {:.1f} % agree", name, 100.0 * testimony.seen(),
+  std::string text = fmt::format("{} sees {:.0f} % of the other; {:.1f} % of it agree", name, 100.0 * testimony.seen(),
                                  100.0 * testimony.agreeing());
   if (testimony.knows_free_space) text += fmt::format(", {:.1f} % in free space", 100.0 * testimony.conflicting());
   return text;
@@ -99,13 +99,13 @@ std::string advice_for(AlignStatus status) {
     case AlignStatus::IterationLimit:
       return "doubtful: still moving; allow more with --max-iterations, or give a better --initial";
     case AlignStatus::Degenerate:
-      return "doubtful: the data leave at least one direction of motion open";
+      return "doubtful: the data do not constrain some direction of motion";
     case AlignStatus::TooFewPairs:
       return "failed: too few points, or points without extent";
     case AlignStatus::NoOverlap:
-      return "failed: hardly any source point meets the target; give a better --initial or a larger --max-distance";
+      return "failed: hardly any source point has a correspondence; give a better --initial or a larger --max-distance";
     case AlignStatus::Diverged:
-      return "failed: the numbers stopped being finite";
+      return "failed: a number is no longer finite";
     case AlignStatus::Doubtful:
       return "a pose was found, but the clouds contradict it; give a better --initial, or they have no common surface";
   }
@@ -148,8 +148,8 @@ std::string to_text(const AlignReport& report) {
                       result.rmse);
   if (report.options.intensity)
     text += result.num_intensity_pairs > 0
-                ? fmt::format("         of these, {} by their brightness too\n", result.num_intensity_pairs)
-                : std::string("         brightness was not used: it, or its changes, are not known on both sides\n");
+                ? fmt::format("         {} of them compared by brightness too\n", result.num_intensity_pairs)
+                : std::string("         brightness was not used: an input has none, or no gradient\n");
   text += free_motions_text(result);
   if (result.evidence) {
     text += fmt::format("evidence {}\n", testimony_text("target", result.evidence->source_in_target));

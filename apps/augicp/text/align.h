@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `augicp align` found, as JSON and as text for people.
+// The result of `augicp align`, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ struct TimingMs {
 };
 
 struct AlignReport {
-  std::string source, target;  // as the user named them
+  std::string source, target;  // as given by the user
   AlignResult result;
   Lengths lengths;
   TimingMs timing_ms;
@@ -28,10 +28,10 @@ RegistrationOptions effective_options(const AlignReport& report);
 // The JSON of `augicp align`; see docs/conventions.md.
 nlohmann::ordered_json to_json(const AlignReport& report);
 
-// The same for people.
+// The same as text.
 std::string to_text(const AlignReport& report);
 
-// What a status means and what to do, a sentence without its stop.
+// The meaning of a status and the advice, a sentence without its full stop.
 std::string advice_for(AlignStatus status);
 
 }  // namespace augicp::app

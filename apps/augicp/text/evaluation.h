@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a trajectory is from the truth, for people and for programs: what `evaluate` prints, and who else has both.
+// Errors of a trajectory, as text and as JSON: the output of `evaluate`, and a part of that of other subcommands.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace augicp::app {
 // Some lines and a table.
 std::string evaluation_text(const Evaluation& evaluation);
 
-// All of it; the fields are explained in docs/evaluation.md.
+// All of it; docs/evaluation.md explains the fields.
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation);
 
 }  // namespace augicp::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Convergence experiments, as CSV and as text for people.
+// Convergence experiments, as CSV and as text.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace augicp::app {
 
-// CSV with a header line; lengths in metres, angles in degrees, numbers that read back to the same bits.
+// CSV with a header line; lengths in metres, angles in degrees, numbers that read back bit-identically.
 std::string synthetic_csv(const std::vector<SyntheticRow>& rows);
 std::string sequence_csv(std::span<const SequenceCurve> curves, const Trajectory& truth,
                          const std::vector<double>& time_offsets_s);
@@ -21,7 +21,7 @@ std::string curves_csv(std::span<const SequenceCurve> curves, const Trajectory& 
                        const std::vector<double>& time_offsets_s);
 std::string basin_csv(const std::vector<BasinCell>& cells);
 
-// For people.
+// As text.
 std::string time_offset_text(const TimeOffset& found);
 std::string basin_text(const std::vector<BasinCell>& cells, const BasinOptions& options);
 

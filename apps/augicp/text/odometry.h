@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `augicp odometry` found, as files and as text.
+// The result of `augicp odometry`, as files and as text.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct FrameRow {
   std::size_t frame = 0;  // in the sequence, from 0
   std::filesystem::path image;
   FrameReport report;
-  double time_ms = 0.0;  // from the frame before to this one
+  double time_ms = 0.0;  // from the end of the frame before to the end of this one
 };
 
 struct OdometryRun {
@@ -25,7 +25,7 @@ struct OdometryRun {
   std::vector<FrameRow> rows;
   double total_ms = 0.0;
   std::optional<Evaluation> evaluation;
-  std::string evaluation_problem;  // why there is none, where a truth was given
+  std::string evaluation_problem;  // why there is no evaluation although a truth was given
 };
 
 // The frames that have a pose.

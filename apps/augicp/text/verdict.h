@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The experiment on the verdict, as CSV and as text for people.
+// The experiment on the verdict, as CSV and as text.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ namespace augicp::app {
 std::string verdict_csv(std::span<const VerdictPair> pairs);
 std::string roc_csv(const std::vector<RocPoint>& points);
 
-// For people.
+// As text.
 std::string confusion_text(const std::vector<ConfusionRow>& rows);
 
 }  // namespace augicp::app

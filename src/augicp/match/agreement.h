@@ -20,7 +20,7 @@ struct Agreement {
   std::int64_t agree = 0;     // on the target's surface, with its direction
   std::int64_t differ = 0;    // near the surface, but off it or rotated
   std::int64_t conflict = 0;  // clearly in front of what the target's camera saw: it saw through this point
-  std::int64_t hidden = 0;    // clearly behind it (occluded)
+  std::int64_t hidden = 0;    // clearly behind it (occluded) (occluded)
   std::int64_t unseen = 0;    // out of view, or the target has no data there
 
   std::int64_t seen() const { return agree + differ + conflict + hidden; }

@@ -17,8 +17,8 @@ void for_each_option(Options& options, const Visit& visit) {
   using namespace option_group;
   constexpr std::string_view derived = "derived", preset = "the preset's";
   using enum Unit;
-  visit({"preset", None, kMethod, "default, or paper: the source to the letter (Table 2)"}, options.preset);
-  visit({"method", None, kMethod, "What is minimised"}, options.method);
+  visit({"preset", None, kMethod, "default, or paper: the paper to the letter (Table 2)"}, options.preset);
+  visit({"method", None, kMethod, "Objective"}, options.method);
   visit({"association", None, kMethod, "How pairs are found; auto: projective for depth images"}, options.association);
   visit({"radius", Metres, kMethod, "Ball for surface statistics", derived}, options.radius);
   visit({"voxel_size", Metres, kMethod, "Downsamples clouds to one point a voxel", derived}, options.voxel_size);
@@ -36,7 +36,7 @@ void for_each_option(Options& options, const Visit& visit) {
         options.classifier);
   visit({"kernel_chi2", Chi2, kPreset, "K of Eq. (13)", preset}, options.kernel_chi2);
   visit({"lever", Metres, kPreset, "Weight of directions beside positions; 1: Table 2", preset}, options.lever);
-  visit({"damping", None, kPreset, "lambda of Eq. (10), as a part of H's mean diagonal", preset}, options.damping);
+  visit({"damping", None, kPreset, "lambda of Eq. (10), relative to H's mean diagonal", preset}, options.damping);
   visit({"search", None, kBeyondPaper, "Other guesses are tried if the given one leads nowhere convincing"},
         options.search);
   visit({"coarse_to_fine", None, kBeyondPaper, "Large images are first aligned downsampled"}, options.coarse_to_fine);

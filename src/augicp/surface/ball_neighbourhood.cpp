@@ -16,16 +16,16 @@ namespace {
 
 constexpr std::size_t kCellsPerBlock = 64, kPointsPerBlock = 256;
 
-// Lists of neighbours take four bytes each. A ball of four voxels, as registration has it, holds 300 points at most;
-// where there are many more, all of them on average, the cloud was not thinned, and its lists would fill the memory.
+// Lists of neighbours take four bytes per entry. A ball of four voxels, as in registration, has at most 300 points. If
+// the average is much larger, the cloud was not downsampled, and its lists would fill the memory.
 constexpr std::size_t kMaxNeighboursPerPoint = 512;
-constexpr std::size_t kFewNeighbours = std::size_t{1} << 24;  // of any cloud: 64 MB
+constexpr std::size_t kFewNeighbours = std::size_t{1} << 24;  // allowed for any cloud: 64 MB
 
 std::size_t max_neighbours(std::size_t num_points) {
   return std::max(kFewNeighbours, kMaxNeighboursPerPoint * num_points);
 }
 
-// The nearest min_points within the larger radius.
+// Appends the nearest min_points within the larger radius.
 void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& options,
                     std::vector<std::uint32_t>& neighbours) {
   const auto max_radius_sq = static_cast<float>(options.max_radius * options.max_radius);
@@ -33,7 +33,7 @@ void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& 
     if (found.distance_sq < max_radius_sq) neighbours.push_back(found.index);
 }
 
-// As many rows as the compiler knows, so that a sum stays in registers.
+// The number of rows is known at compile time, so that a sum stays in registers.
 template <int kRows>
 using Rows = Eigen::Map<const Eigen::Array<double, kRows, Eigen::Dynamic>>;
 
@@ -56,7 +56,7 @@ BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& opti
 
 void BallNeighbourhood::find_in_balls(const Cloud& cloud, const BallOptions& options, int num_threads) {
   const auto radius_sq = static_cast<float>(options.radius * options.radius);
-  if (radius_sq == 0.0f) return;  // no distance is below
+  if (radius_sq == 0.0f) return;  // no distance is below zero
   const CellGrid grid(cloud, options.radius);
   Lists lists((grid.num_cells() + kCellsPerBlock - 1) / kCellsPerBlock);
   std::atomic<std::size_t> num_neighbours{0};

@@ -8,13 +8,13 @@
 namespace augicp {
 namespace {
 
-// A unit vector from the sensor to the point; zero where the sensor's place is unknown.
+// A unit vector from the sensor to the point; zero if the position of the sensor is unknown.
 Vec3d line_of_sight(const Cloud& cloud, std::size_t i) {
   if (!cloud.viewpoint) return Vec3d::Zero();
   return (cloud.points[i] - *cloud.viewpoint).cast<double>().stableNormalized();
 }
 
-// Upper triangle of a symmetric matrix as six numbers, and back.
+// The upper triangle of a symmetric matrix as six numbers, and back.
 void pack(const Mat3d& m, Eigen::Ref<Eigen::Array<double, 6, 1>> packed) {
   packed << m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2);
 }
@@ -24,7 +24,7 @@ Mat3d unpack(const Eigen::Ref<const Eigen::Array<double, 6, 1>>& p) {
   return m;
 }
 
-// Count, sum and sum of outer products: what Eq. (15) needs.
+// Count, sum and sum of outer products: the moments in Eq. (15).
 Channels point_moments(const Cloud& cloud) {
   Channels moments(10, static_cast<Eigen::Index>(cloud.size()));
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -45,13 +45,13 @@ Gaussian gaussian_of(const Eigen::Ref<const Eigen::ArrayXd>& moments) {
   return gaussian;
 }
 
-// Weight and weighted outer product of a direction, both signs of which are alike.
+// Adds the weight and the weighted outer product of a direction; its sign does not matter.
 void add_direction(const Vec3d& direction, double weight, Eigen::Ref<Eigen::ArrayXd> moments) {
   moments[0] = weight;
   pack(weight * direction * direction.transpose(), moments.segment<6>(1));
 }
 
-// Only normals count: a wire beside a wall must not turn the wall into an edge.
+// Only normals count: a wire beside a wall must not make the wall an edge.
 Channels normal_moments(const std::vector<Shape>& shapes) {
   Channels moments = Channels::Zero(7, static_cast<Eigen::Index>(shapes.size()));
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -60,7 +60,7 @@ Channels normal_moments(const std::vector<Shape>& shapes) {
   return moments;
 }
 
-// Only clear creases count, the middle of one more than its sides.
+// Only clear creases count, with larger weights in the middle of a crease than at its sides.
 Channels tangent_moments(const std::vector<NormalSpread>& spreads, const ShapeThresholds& thresholds) {
   Channels moments = Channels::Zero(7, static_cast<Eigen::Index>(spreads.size()));
   for (std::size_t i = 0; i < spreads.size(); ++i)
@@ -69,7 +69,7 @@ Channels tangent_moments(const std::vector<NormalSpread>& spreads, const ShapeTh
   return moments;
 }
 
-// First step, or for the paper's classifier the only one.
+// The first step; the only one of the paper's classifier.
 std::vector<Shape> shapes_of_points(const Cloud& cloud, const Neighbourhood& neighbourhood,
                                     const SurfaceOptions& options, int num_threads) {
   const Channels sums = neighbourhood.sum(point_moments(cloud), num_threads);
@@ -86,11 +86,11 @@ std::vector<Shape> shapes_of_points(const Cloud& cloud, const Neighbourhood& nei
   return shapes;
 }
 
-// An upper bound of the sum of the two smaller eigenvalues of a mean outer product, without finding them: they sum to
+// An upper bound of the sum of the two smaller eigenvalues of a mean outer product, without computing them: they sum to
 // 1, and the largest is at least the sum of their squares.
 double largest_spread(const Mat3d& mean_outer_normal) { return 1.0 - mean_outer_normal.squaredNorm(); }
 
-// Second step. Zero for lines, where too few neighbours have a normal, and where normals agree too well for a crease.
+// The second step. Zero for lines, if too few neighbours have a normal, and if normals agree too well for a crease.
 std::vector<NormalSpread> normal_spreads(const std::vector<Shape>& shapes, const Neighbourhood& neighbourhood,
                                          const ShapeThresholds& thresholds, int num_threads) {
   const Channels sums = neighbourhood.sum(normal_moments(shapes), num_threads);
@@ -107,7 +107,7 @@ std::vector<NormalSpread> normal_spreads(const std::vector<Shape>& shapes, const
   return spreads;
 }
 
-// Third step: what lies on a crease becomes an edge, what lies in a corner nothing.
+// The third step: points on a crease become edges, points in a corner lose their structure.
 void find_creases(std::vector<Shape>& shapes, const std::vector<NormalSpread>& spreads,
                   const Neighbourhood& neighbourhood, const ShapeThresholds& thresholds, int num_threads) {
   const Channels sums = neighbourhood.sum(tangent_moments(spreads, thresholds), num_threads);

@@ -9,8 +9,8 @@
 namespace augicp {
 
 enum class Classifier {
-  Normals,      // the default: see line_or_normal and what follows it
-  Eigenvalues,  // the paper: see shape_of_points
+  Normals,      // the default: see line_or_normal() and the steps after it
+  Eigenvalues,  // the paper: see shape_of_points()
 };
 template <>
 inline constexpr auto kWords<Classifier> = std::to_array<Word<Classifier>>({{Classifier::Normals, "normals"},
@@ -21,8 +21,8 @@ struct SurfaceOptions {
   ShapeThresholds thresholds;
 };
 
-// Section 4.1: direction and structure of every point, from the points near it. Normals point to the cloud's viewpoint
-// where that is known. Directions that the cloud had are replaced.
+// Section 4.1: estimates the direction and structure of every point from the points near it. Normals point to the
+// cloud's viewpoint if that is known. Existing directions are replaced.
 void estimate_surface(Cloud& cloud, const Neighbourhood& neighbourhood, const SurfaceOptions& options, int num_threads);
 
 }  // namespace augicp
