@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Aligns two images of a depth camera, with options: GICP's objective and the augmented one, with the same search for pairs.
+// Aligns two images of a depth camera, with options: GICP's objective and the augmented one, with the same search for
+// pairs.
 #include <iostream>
 
 #include "augicp/augicp.h"
