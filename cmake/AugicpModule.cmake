@@ -59,7 +59,7 @@ function(augicp_module_tests name)
   get_property(tests GLOBAL PROPERTY AUGICP_TESTS_${name})
   list(TRANSFORM tests PREPEND ${name}/)
   add_executable(augicp_${name}_test ${tests})
-  target_link_libraries(augicp_${name}_test PRIVATE augicp_testing augicp_build_flags GTest::gmock_main ${ARGN})
+  target_link_libraries(augicp_${name}_test PRIVATE augicp_synthetic augicp_testing augicp_build_flags GTest::gmock_main ${ARGN})
   gtest_discover_tests(augicp_${name}_test TEST_PREFIX "${name}: " NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST
     PROPERTIES TIMEOUT 300 ${AUGICP_DECIMAL_COMMA})
 endfunction()

@@ -8,13 +8,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "augicp/core/angles.h"
 #include "augicp/geometry/rotation.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 
 namespace augicp::synthetic {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Lidar small_lidar() {
   Lidar lidar;
@@ -33,7 +32,7 @@ TEST(Lidar, RingsHaveTheirElevations) {
   for (std::size_t i = 0; i < sweep.cloud.size(); ++i) {
     const double share = sweep.rings[i] / (lidar.num_rings - 1.0);
     const double expected_deg = lidar.min_elevation_deg + share * (lidar.max_elevation_deg - lidar.min_elevation_deg);
-    EXPECT_NEAR(elevation_of(sweep.cloud.points[i]), expected_deg * kDegree, 1e-5);
+    EXPECT_NEAR(elevation_of(sweep.cloud.points[i]), expected_deg * kRadPerDeg, 1e-5);
   }
 }
 
