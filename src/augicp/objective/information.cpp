@@ -4,6 +4,14 @@
 #include "augicp/core/check.h"
 
 namespace augicp {
+namespace {
+
+void require_covariance(const Information& information) {
+  require_positive("information along, from both sides", information.along);
+  require_positive("information across, from both sides", information.across);
+}
+
+}  // namespace
 
 void InformationModel::check() const {
   for (const StructureInformation* row : {&none, &planar, &edge}) {
@@ -11,6 +19,9 @@ void InformationModel::check() const {
       require_not_negative("information along", information.along);
       require_not_negative("information across", information.across);
     }
+    if (position_sides == Sides::Both) require_covariance(row->position);
+    const bool is_compared = row->direction.along > 0.0 || row->direction.across > 0.0;
+    if (direction_sides == Sides::Both && is_compared) require_covariance(row->direction);
   }
 }
 
@@ -42,6 +53,12 @@ InformationModel default_information(double epsilon) {
   InformationModel model = augmented_information(epsilon);
   model.edge.position = model.none.position;
   return model;
+}
+
+InformationModel with_both_sides(const InformationModel& model) {
+  InformationModel both = model;
+  both.position_sides = Sides::Both;
+  return both;
 }
 
 InformationModel with_lever(const InformationModel& model, double lever_m) {

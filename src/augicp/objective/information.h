@@ -8,7 +8,7 @@
 
 namespace augicp {
 
-// Omega = across * I + (along - across) d d^T, with d the unit direction of the target point.
+// Omega = across * I + (along - across) d d^T, with d the unit direction of a point.
 struct Information {
   double along = 0.0;
   double across = 0.0;
@@ -20,15 +20,28 @@ struct StructureInformation {
   Information direction;  // Omega^l
 };
 
+// Whose structure the information of a pair comes from.
+enum class Sides {
+  Target,  // Table 2: Omega_i of the target point alone
+
+  // Both points': (Omega_i^-1 + R Omega_j^-1 R^T)^-1, as GICP has it (Segal, Haehnel and Thrun 2009). Where the
+  // directions agree it is half of Omega_i. Where they differ by an angle a, the information along a normal falls by
+  // epsilon / sin^2 a: such a pair is not believed, and no kernel is needed for that. Steps take it for constant.
+  // Clouds without directions have the target's alone.
+  Both,
+};
+
 // What the methods differ in, and all they differ in.
 struct InformationModel {
   StructureInformation none, planar, edge;
+  Sides position_sides = Sides::Target, direction_sides = Sides::Target;
 
   const StructureInformation& of(Structure structure) const {
     return structure == Structure::Planar ? planar : structure == Structure::Edge ? edge : none;
   }
 
-  // Throws std::invalid_argument unless every number is finite and at least 0.
+  // Throws std::invalid_argument unless every number is finite and at least 0. With both sides every number of a part
+  // is above 0, or all of a row's direction are 0: what has no information has no covariance.
   void check() const;
 };
 
@@ -46,6 +59,9 @@ InformationModel augmented_information(double epsilon = kTable2Epsilon);  // Tab
 // classifier cannot tell from it, would then pull along their surface as in plain ICP (docs/lab/results.md has the
 // figures).
 InformationModel default_information(double epsilon = kTable2Epsilon);
+
+// The model with the positions' information from both points.
+InformationModel with_both_sides(const InformationModel& model);
 
 // The model with its linear part for a lever: an error of the direction by one radian counts as much as one of the
 // position by lever metres, each in the direction it knows best. Table 2 as printed has a lever of 1 m, whatever the

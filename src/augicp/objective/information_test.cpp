@@ -56,6 +56,17 @@ TEST(Information, LeverScalesTheLinearPartByItsSquare) {
   expect_is(positions_only(augmented_information()).planar.direction, 0.0, 0.0);
 }
 
+TEST(Information, WithoutInformationThereIsNoCovarianceToAdd) {
+  EXPECT_THROW(with_both_sides(plane_information()).check(), std::invalid_argument);
+  EXPECT_NO_THROW(with_both_sides(gicp_information()).check());
+  InformationModel model = augmented_information();
+  model.direction_sides = Sides::Both;
+  EXPECT_NO_THROW(model.check());
+  EXPECT_NO_THROW(positions_only(model).check());
+  model.edge.direction.along = 0.0;
+  EXPECT_THROW(model.check(), std::invalid_argument);
+}
+
 TEST(Information, BadNumbersAreRefused) {
   for (double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     InformationModel model = augmented_information();

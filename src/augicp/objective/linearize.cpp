@@ -6,7 +6,6 @@
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
-#include "augicp/geometry/rotation.h"
 #include "augicp/objective/pair_reader.h"
 
 namespace augicp {
@@ -44,7 +43,6 @@ NormalEquations equations_of(const BlockSums& sums, double unit) {
   const auto vector = [&](int first) { return Vec3d(sums.of(first), sums.of(first + 1), sums.of(first + 2)); };
   Mat3d tr;
   for (int i = 0; i < 9; ++i) tr(i / 3, i % 3) = sums.of(PairTerms::kTr + i);
-  tr -= cross_matrix(vector(PairTerms::kAcrossPoint));
   const Mat3d tt = symmetric(sums, PairTerms::kTt), rr = symmetric(sums, PairTerms::kRr);
   equations.H << tt, tr, tr.transpose(), rr;
   equations.b << vector(PairTerms::kBt), vector(PairTerms::kBr);

@@ -10,11 +10,6 @@
 namespace augicp {
 namespace {
 
-// Omega x for Omega = across I + (along - across) d d^T.
-inline Vecf weighed(float along, float across, const Vecf& d, const Vecf& x) {
-  return sum(scaled(across, x), scaled((along - across) * dot(d, x), d));
-}
-
 // The natural logarithm of a number of at least 1 to the last digit or so, without branches, so that loops with it can
 // be made of vectors: x = 2^e m with m about 1, and log m = 2 artanh((m - 1) / (m + 1)).
 inline float log_of(float x) {
@@ -39,28 +34,23 @@ inline Robust robust(float chi2, float kernel_chi2) {
   return {1.0f / ratio, is_within ? chi2 : kernel_chi2 * (1.0f + log_of(ratio))};
 }
 
-inline float position_chi2(const PairBatch& b, int k) {
-  const Vecf e = at(b.position_error, k);
-  return dot(e, weighed(b.along[k], b.across[k], at(b.target_direction, k), e));
-}
-inline float direction_chi2(const PairBatch& b, int k) {
-  const Vecf e = at(b.direction_error, k);
-  return dot(e, weighed(b.direction_along[k], b.direction_across[k], at(b.target_direction, k), e));
+inline float chi2_at(const PairBatch::Symmetric& information, const PairBatch::Array<float> (&error)[3], int k) {
+  const Vecf e = at(error, k);
+  return dot(e, product(at(information, k), e));
 }
 
 }  // namespace
 
 AUGICP_VECTORIZED void chi2_of(const PairBatch& __restrict batch, BatchChi2& __restrict chi2) {
   for (int k = 0; k < kPairsPerBatch; ++k) {
-    chi2.position[k] = position_chi2(batch, k);
-    chi2.direction[k] = direction_chi2(batch, k);
+    chi2.position[k] = chi2_at(batch.position_information, batch.position_error, k);
+    chi2.direction[k] = chi2_at(batch.direction_information, batch.direction_error, k);
   }
 }
 
 // Eq. (12) with a rotation vector for the increment, which removes the factor 2 of the quaternion's imaginary part:
-// J = [-I  [q]x; 0  [m]x], q = T (+) p_j, m = R l_j. The position's part of J^T Omega J for Omega = a I + c d d^T is
-// a [I  -[q]x; [q]x  |q|^2 I - q q^T]  +  c v v^T with v = (d, q x d); the direction's is the lower right of the same
-// with m for q.
+// J = [-I  [q]x; 0  [m]x], q = T (+) p_j, m = R l_j. The position's part of J^T Omega J is [Omega  B; B^T  [q]x B] with
+// B = -Omega [q]x, whose rows are q x (row of Omega); the direction's is the lower right of the same with m for q.
 AUGICP_VECTORIZED void terms_of(const PairBatch& __restrict batch, float kernel_chi2, float kernel_direction_chi2,
                                 PairTerms& __restrict terms) {
   const PairBatch& b = batch;
@@ -69,48 +59,41 @@ AUGICP_VECTORIZED void terms_of(const PairBatch& __restrict batch, float kernel_
   // In a loop of its own: each step of it waits for the one before, and processors look some hundred steps ahead.
   alignas(64) float gammas[kPairsPerBatch], direction_gammas[kPairsPerBatch];
   for (int k = 0; k < kPairsPerBatch; ++k) {
-    const Robust of_direction = robust(direction_chi2(b, k), kernel_direction_chi2);
-    const Robust of_pair = robust(position_chi2(b, k) + of_direction.loss, kernel_chi2);
+    const Robust of_direction = robust(chi2_at(b.direction_information, b.direction_error, k), kernel_direction_chi2);
+    const Robust of_pair =
+        robust(chi2_at(b.position_information, b.position_error, k) + of_direction.loss, kernel_chi2);
     gammas[k] = of_pair.gamma;
     direction_gammas[k] = of_pair.gamma * of_direction.gamma;
     t[Terms::kCost][k] = 0.5f * of_pair.loss;
   }
   for (int k = 0; k < kPairsPerBatch; ++k) {
-    const float gamma = gammas[k], direction_gamma = direction_gammas[k];
-    const Vecf d = at(b.target_direction, k), q = at(b.moved_point, k), m = at(b.moved_direction, k);
-    const Vecf qd = cross(q, d), md = cross(m, d);
-    const float a = gamma * b.across[k], c = gamma * (b.along[k] - b.across[k]);
-    const float al = direction_gamma * b.direction_across[k],
-                cl = direction_gamma * (b.direction_along[k] - b.direction_across[k]);
-    const Vecf cd = scaled(c, d), cqd = scaled(c, qd), clmd = scaled(cl, md), aq = scaled(a, q), alm = scaled(al, m);
-    const float diagonal = dot(aq, q) + dot(alm, m);
-    t[Terms::kTt + 0][k] = a + cd.x * d.x;
-    t[Terms::kTt + 1][k] = cd.x * d.y;
-    t[Terms::kTt + 2][k] = cd.x * d.z;
-    t[Terms::kTt + 3][k] = a + cd.y * d.y;
-    t[Terms::kTt + 4][k] = cd.y * d.z;
-    t[Terms::kTt + 5][k] = a + cd.z * d.z;
-    t[Terms::kTr + 0][k] = cd.x * qd.x;
-    t[Terms::kTr + 1][k] = cd.x * qd.y;
-    t[Terms::kTr + 2][k] = cd.x * qd.z;
-    t[Terms::kTr + 3][k] = cd.y * qd.x;
-    t[Terms::kTr + 4][k] = cd.y * qd.y;
-    t[Terms::kTr + 5][k] = cd.y * qd.z;
-    t[Terms::kTr + 6][k] = cd.z * qd.x;
-    t[Terms::kTr + 7][k] = cd.z * qd.y;
-    t[Terms::kTr + 8][k] = cd.z * qd.z;
-    t[Terms::kRr + 0][k] = diagonal + (cqd.x * qd.x - aq.x * q.x) + (clmd.x * md.x - alm.x * m.x);
-    t[Terms::kRr + 1][k] = (cqd.x * qd.y - aq.x * q.y) + (clmd.x * md.y - alm.x * m.y);
-    t[Terms::kRr + 2][k] = (cqd.x * qd.z - aq.x * q.z) + (clmd.x * md.z - alm.x * m.z);
-    t[Terms::kRr + 3][k] = diagonal + (cqd.y * qd.y - aq.y * q.y) + (clmd.y * md.y - alm.y * m.y);
-    t[Terms::kRr + 4][k] = (cqd.y * qd.z - aq.y * q.z) + (clmd.y * md.z - alm.y * m.z);
-    t[Terms::kRr + 5][k] = diagonal + (cqd.z * qd.z - aq.z * q.z) + (clmd.z * md.z - alm.z * m.z);
-    t[Terms::kAcrossPoint + 0][k] = aq.x;
-    t[Terms::kAcrossPoint + 1][k] = aq.y;
-    t[Terms::kAcrossPoint + 2][k] = aq.z;
-    const Vecf force = scaled(gamma, weighed(b.along[k], b.across[k], d, at(b.position_error, k)));
-    const Vecf turn =
-        scaled(direction_gamma, weighed(b.direction_along[k], b.direction_across[k], d, at(b.direction_error, k)));
+    const Vecf q = at(b.moved_point, k), m = at(b.moved_direction, k);
+    const Symmetric p = scaled(gammas[k], at(b.position_information, k));
+    const Symmetric l = scaled(direction_gammas[k], at(b.direction_information, k));
+    const Vecf px = cross(q, p.x()), py = cross(q, p.y()), pz = cross(q, p.z());  // rows of B
+    const Vecf lx = cross(m, l.x()), ly = cross(m, l.y()), lz = cross(m, l.z());
+    t[Terms::kTt + 0][k] = p.xx;
+    t[Terms::kTt + 1][k] = p.xy;
+    t[Terms::kTt + 2][k] = p.xz;
+    t[Terms::kTt + 3][k] = p.yy;
+    t[Terms::kTt + 4][k] = p.yz;
+    t[Terms::kTt + 5][k] = p.zz;
+    t[Terms::kTr + 0][k] = px.x;
+    t[Terms::kTr + 1][k] = px.y;
+    t[Terms::kTr + 2][k] = px.z;
+    t[Terms::kTr + 3][k] = py.x;
+    t[Terms::kTr + 4][k] = py.y;
+    t[Terms::kTr + 5][k] = py.z;
+    t[Terms::kTr + 6][k] = pz.x;
+    t[Terms::kTr + 7][k] = pz.y;
+    t[Terms::kTr + 8][k] = pz.z;
+    t[Terms::kRr + 0][k] = (q.y * pz.x - q.z * py.x) + (m.y * lz.x - m.z * ly.x);
+    t[Terms::kRr + 1][k] = (q.y * pz.y - q.z * py.y) + (m.y * lz.y - m.z * ly.y);
+    t[Terms::kRr + 2][k] = (q.y * pz.z - q.z * py.z) + (m.y * lz.z - m.z * ly.z);
+    t[Terms::kRr + 3][k] = (q.z * px.y - q.x * pz.y) + (m.z * lx.y - m.x * lz.y);
+    t[Terms::kRr + 4][k] = (q.z * px.z - q.x * pz.z) + (m.z * lx.z - m.x * lz.z);
+    t[Terms::kRr + 5][k] = (q.x * py.z - q.y * px.z) + (m.x * ly.z - m.y * lx.z);
+    const Vecf force = product(p, at(b.position_error, k)), turn = product(l, at(b.direction_error, k));
     const Vecf torque = sum(cross(q, force), cross(m, turn));
     t[Terms::kBt + 0][k] = -force.x;
     t[Terms::kBt + 1][k] = -force.y;

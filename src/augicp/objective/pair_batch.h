@@ -19,19 +19,22 @@ struct PairBatch {
   template <typename Number>
   using Array = Column<Number>;
 
+  // A symmetric 3x3 matrix a pair: the upper triangle, row by row.
+  using Symmetric = Array<float>[6];
+
   // As read: T has yet to be applied. target_direction is zero where the target point has none.
   alignas(64) Array<float> source_point[3]{}, source_direction[3]{}, target_point[3]{}, target_direction[3]{};
-  alignas(64) Array<float> weight{};                                // the target point's
+  alignas(64) Array<float> weight{}, source_weight{};               // weight: the target point's
   alignas(64) Array<std::int32_t> source_structure{}, structure{};  // structure: the target point's
 
   // Computed from these.
-  alignas(64) Array<float> compares;                           // 1 where directions are compared, else 0
-  alignas(64) Array<float> moved_point[3];                     // q = T (+) p_j
-  alignas(64) Array<float> moved_direction[3];                 // m = R l_j, its sign chosen
-  alignas(64) Array<float> position_error[3];                  // p_i - q
-  alignas(64) Array<float> direction_error[3];                 // l_i - m
-  alignas(64) Array<float> along, across;                      // of the positions' information
-  alignas(64) Array<float> direction_along, direction_across;  // of the directions', zero where they are not compared
+  alignas(64) Array<float> compares;            // 1 where directions are compared, else 0
+  alignas(64) Array<float> moved_point[3];      // q = T (+) p_j
+  alignas(64) Array<float> moved_direction[3];  // m = R l_j, its sign chosen
+  alignas(64) Array<float> position_error[3];   // p_i - q
+  alignas(64) Array<float> direction_error[3];  // l_i - m
+  alignas(64) Symmetric position_information;   // Omega^p
+  alignas(64) Symmetric direction_information;  // Omega^l, zero where directions are not compared
 };
 
 // chi2 = e^T Omega e in its two parts.
@@ -40,10 +43,9 @@ struct BatchChi2 {
 };
 void chi2_of(const PairBatch& batch, BatchChi2& chi2);
 
-// What each pair adds to H, b and the cost, by blocks: tt and rr are upper triangles row by row, tr is whole but for
-// the cross matrix of the sum of across * q.
+// What each pair adds to H, b and the cost, by blocks: tt and rr are upper triangles row by row, tr is whole.
 struct PairTerms {
-  static constexpr int kTt = 0, kTr = 6, kRr = 15, kAcrossPoint = 21, kBt = 24, kBr = 27, kCost = 30, kCount = 31;
+  static constexpr int kTt = 0, kTr = 6, kRr = 15, kBt = 21, kBr = 24, kCost = 27, kCount = 28;
   alignas(64) float term[kCount][kPairsPerBatch];
 };
 // Kernels are in the batch's unit, and above 0.

@@ -2,31 +2,21 @@
 // From pairs of indices to batches of numbers.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "augicp/cloud/posed_pairs.h"
 #include "augicp/objective/information.h"
 #include "augicp/objective/pair_batch.h"
+#include "augicp/objective/pair_information.h"
 
 namespace augicp {
 
-// A number for each Structure.
-struct ByStructure {
-  float none, planar, edge;
-  float of(std::int32_t structure) const {
-    return structure == static_cast<std::int32_t>(Structure::Planar) ? planar
-           : structure == static_cast<std::int32_t>(Structure::Edge) ? edge
-                                                                     : none;
-  }
-};
-
-// What all pairs share. Information is in a unit of its own, so that float holds it.
+// What all pairs share.
 struct PairModel {
   double rotation[9];  // row by row
   double translation[3];
-  ByStructure along, across, direction_along, direction_across;
-  float one_sided;  // 1 where a normal and its opposite differ, else 0
+  InformationTable positions, directions;  // in a unit of their own, so that float holds them
+  bool signed_normals;                     // a normal and its opposite differ
 };
 
 class PairReader {
@@ -43,8 +33,8 @@ class PairReader {
   const Cloud& source_;
   const Cloud& target_;
   double information_unit_;
-  PairModel model_;
   bool compares_directions_;
+  PairModel model_;
 };
 
 }  // namespace augicp

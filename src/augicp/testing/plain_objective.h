@@ -26,7 +26,10 @@ PlainPair plain_pair(const Cloud& source, const Cloud& target, const Corresponde
 // The loss whose derivative is gamma of Eq. (13).
 double plain_loss(double chi2, double kernel_chi2);
 
-// Half the sum of the losses.
+// Half the sum of the losses of the errors under a pose.
 double plain_cost(const PosedPairs& posed, const Objective& objective);
+
+// The same with each pair's Omega as it is under another pose: what a step takes for constant.
+double plain_cost(const PosedPairs& posed, const Objective& objective, const Rigid3& pose_of_information);
 
 }  // namespace augicp::testing
