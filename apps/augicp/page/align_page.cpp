@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/augicp/page/clouds.h"
@@ -65,7 +66,9 @@ std::vector<Chart> convergence_charts(const AlignPicture& picture) {
     step.series[1].y.push_back(steps[i].rotation_deg);
   }
   for (Chart* chart : {&cost, &kernel, &step}) choose_scale(*chart);
-  return {cost, pairs, kernel, step};
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (std::all_of(kernel.series[0].y.begin(), kernel.series[0].y.end(), is_finite)) return {cost, pairs, kernel, step};
+  return {cost, pairs, step};  // no pair is discounted
 }
 
 nlohmann::ordered_json align_json(const AlignPicture& picture) {

@@ -34,6 +34,10 @@ struct AlignOptions {
   std::optional<double> kernel_chi2;
   double kernel_per_median = 8.0;
 
+  // The quantile of chi2 that stands for its median there, in (0, 0.5]. A half allows as many false pairs as true ones.
+  // If nine of ten may be false, the median is the error of a false pair, and a far lower quantile is not.
+  double kernel_quantile = 0.5;
+
   // Lower limit of K. Without it, a perfect fit of most pairs would silence the rest. In registration it is the chi2 of
   // a hundredth of the ball radius off a plane.
   double min_kernel_chi2 = 0.0;

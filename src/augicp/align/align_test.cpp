@@ -239,6 +239,7 @@ TEST(Align, OptionsOutOfRangeAreRefusedByName) {
       {"lever", [](AlignOptions& o, double x) { o.lever = x; }, {-1.0, nan, kInfinity}},
       {"max_lever", [](AlignOptions& o, double x) { o.max_lever = x; }, {-1.0, nan}},
       {"kernel_chi2", [](AlignOptions& o, double x) { o.kernel_chi2 = x; }, {0.0, -1.0, nan}},
+      {"kernel_quantile", [](AlignOptions& o, double x) { o.kernel_quantile = x; }, {0.0, -0.1, 0.6, nan}},
       {"kernel_per_median", [](AlignOptions& o, double x) { o.kernel_per_median = x; }, {0.0, -1.0, nan, kInfinity}},
       {"damping", [](AlignOptions& o, double x) { o.damping = x; }, {-1.0, nan, kInfinity}},
       {"max_iterations", [](AlignOptions& o, double x) { o.max_iterations = static_cast<int>(x); }, {0.0, -1.0}},

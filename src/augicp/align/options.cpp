@@ -14,6 +14,7 @@ void AlignOptions::check() const {
   require(gate_per_median > 0.0, "gate_per_median", gate_per_median, "must be above 0");
   require_not_negative("min_max_distance", min_max_distance);
   require_positive("kernel_per_median", kernel_per_median);
+  require(kernel_quantile > 0.0 && kernel_quantile <= 0.5, "kernel_quantile", kernel_quantile, "must be in (0, 0.5]");
   require(kernel_direction_per_median > 0.0, "kernel_direction_per_median", kernel_direction_per_median,
           "must be above 0");
   require_not_negative("intensity_weight", intensity_weight);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "augicp/core/median.h"
 
@@ -25,6 +26,13 @@ std::vector<float> total_chi2(const PairChi2& chi2, double lever) {
   for (std::size_t k = 0; k < total.size(); ++k)
     total[k] = chi2.position[k] + scale * std::max(chi2.direction[k], 0.0f);
   return total;
+}
+
+// At a half it is median(), the upper of the two middle ones.
+double typical(std::vector<float> values, double quantile) {
+  if (values.empty()) return 0.0;
+  const auto rank = static_cast<std::size_t>(quantile * static_cast<double>(values.size()));
+  return static_cast<double>(value_at_rank(std::move(values), rank));
 }
 
 struct Measured {
@@ -57,10 +65,11 @@ Weighing weigh_pairs(const PairChi2& chi2, const AlignOptions& options) {
   // Where directions carry no information, or nothing is left to learn from them, the lever is 0.
   const double measured = of_direction > 0.0 ? std::sqrt(of_position / of_direction) : 0.0;
   weighing.lever = options.lever.value_or(std::min(options.max_lever, measured));
-  weighing.kernel_chi2 = options.kernel_chi2
-                             ? *options.kernel_chi2
-                             : std::max({kTiny, options.min_kernel_chi2,
-                                         options.kernel_per_median * median(total_chi2(chi2, weighing.lever))});
+  weighing.kernel_chi2 =
+      options.kernel_chi2
+          ? *options.kernel_chi2
+          : std::max({kTiny, options.min_kernel_chi2,
+                      options.kernel_per_median * typical(total_chi2(chi2, weighing.lever), options.kernel_quantile)});
   if (std::isfinite(options.kernel_direction_per_median))
     weighing.kernel_direction_chi2 =
         std::max(kTiny, options.kernel_direction_per_median * weighing.lever * weighing.lever * of_direction);

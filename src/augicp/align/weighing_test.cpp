@@ -77,6 +77,16 @@ TEST(Weighing, IntensitiesAreOffWhereNotAskedForOrMissing) {
   EXPECT_EQ(weigh(two).information, 0.0);
 }
 
+// One true pair among ten false ones whose errors are alike: their median has nothing to do with it.
+TEST(Weighing, ALowQuantileIsThatOfTheFewTruePairs) {
+  PairChi2 chi2{{0.01f}, std::vector<float>(11, -1.0f)};
+  for (int k = 0; k < 10; ++k) chi2.position.push_back(100.0f + static_cast<float>(k));
+  AlignOptions options = options_with(0.0);
+  EXPECT_DOUBLE_EQ(weigh_pairs(chi2, options).kernel_chi2, 8.0 * 104.0);
+  options.kernel_quantile = 0.05;
+  EXPECT_FLOAT_EQ(static_cast<float>(weigh_pairs(chi2, options).kernel_chi2), 8.0f * 0.01f);
+}
+
 TEST(Weighing, LeverIsCapped) {
   AlignOptions options;
   options.max_lever = 0.25;

@@ -18,8 +18,7 @@ AlignOptions options_for(Method method, const KnownPairs& known, const Synthetic
   registration.method = method;
   registration.kernel_chi2 = options.kernel_chi2;
   registration.num_threads = options.num_threads;
-  return align_options(derive_lengths(scan_of(known.source), scan_of(known.target)), /*projective=*/false,
-                       registration);
+  return known_pairs_options(derive_lengths(scan_of(known.source), scan_of(known.target)), registration);
 }
 
 // The iteration of section 3.3 without the search for pairs: the errors of the guess and after each iteration.

@@ -11,7 +11,9 @@
 
 namespace augicp {
 
-// The objective: the same code with other numbers (objective/information.h).
+// The objective: the same code with other numbers (objective/information.h). Under the default preset, with nearest
+// neighbours, the positions of augmented and gicp have the information of both points. Along lines of sight, and under
+// the paper's preset, they have that of the target's point.
 enum class Method { Augmented, Gicp, Plane, Point };
 template <>
 inline constexpr auto kWords<Method> = std::to_array<Word<Method>>(
@@ -94,5 +96,9 @@ InformationModel information_for(const RegistrationOptions& options, double epsi
 
 SurfaceOptions surface_options(const RegistrationOptions& options);
 AlignOptions align_options(const Lengths& lengths, bool projective, const RegistrationOptions& options);
+
+// Of pairs that no search has found and that may nearly all be false, as those of descriptors. The paper's preset has
+// the same options for them.
+AlignOptions known_pairs_options(const Lengths& lengths, const RegistrationOptions& options);
 
 }  // namespace augicp

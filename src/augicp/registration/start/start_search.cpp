@@ -46,7 +46,8 @@ AlignOptions image_options(const ScanMatch& level) {
 AlignOptions cloud_options(const ScanMatch& level, const RegistrationOptions& options) {
   AlignOptions coarse = level.usual_options();
   coarse.max_iterations = kCloudIterations;
-  coarse.information = information_for(options, kWideEpsilon);
+  coarse.information = information_for(options, kWideEpsilon);  // of the target: from afar directions do not agree yet
+  coarse.kernel_chi2 = options.kernel_chi2;
   coarse.gates.max_distance *= kWideGate;
   coarse.gates.max_angle = std::numeric_limits<double>::infinity();
   coarse.gate_per_median = std::numeric_limits<double>::infinity();
