@@ -130,7 +130,7 @@ def test_a_surface_has_directions(room):
     lengths = np.linalg.norm(extended.directions, axis=1)
     assert np.allclose(lengths[extended.structures > 0], 1, atol=1e-5) and not lengths[extended.structures == 0].any()
     assert (extended.structures == 1).mean() > 0.5
-    with pytest.raises(augicp.ArgumentError, match="one place"):
+    with pytest.raises(augicp.ArgumentError, match="points are equal"):
         augicp.estimate_surface(np.ones((9, 3)))
 
 
