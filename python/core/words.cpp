@@ -37,8 +37,8 @@ void add(py::module_& module, const char* name, const char* doc) {
 void bind_words(py::module_& module) {
   add<AlignStatus>(
       module, "Status",
-      "The outcome of a registration. Only CONVERGED is a pose to trust; DOUBTFUL, DEGENERATE and ITERATION_LIMIT have "
-      "a pose, the others failed. See docs/verdict.md.");
+      "The outcome of a registration. Only CONVERGED is a pose to trust; DOUBTFUL, AMBIGUOUS, DEGENERATE and "
+      "ITERATION_LIMIT have a pose, the others failed. See docs/verdict.md.");
   add<Doubt>(
       module, "Doubt",
       "Why a pose is doubtful: too few points are visible to the other sensor, too few of them are on its surface, too "

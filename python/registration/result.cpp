@@ -59,6 +59,17 @@ void bind_iteration(py::module_& module) {
   });
 }
 
+void bind_runner_up(py::module_& module) {
+  py::class_<RunnerUp> type(module, "RunnerUp", "Another pose that the evidence supports.");
+  type.def_property_readonly(
+      "T_target_source", [](const RunnerUp& other) { return to_array(other.target_from_source); },
+      "(4, 4) float64: x_in_target = T_target_source @ x_in_source, metres.");
+  type.def_readonly("evidence", &RunnerUp::evidence, "Its Evidence.");
+  type.def("__repr__", [](const RunnerUp& other) {
+    return "<augicp.RunnerUp strain " + std::to_string(strain(other.evidence)) + ">";
+  });
+}
+
 using ResultType = py::class_<Result>;
 
 void bind_numbers(ResultType& type) {
@@ -91,6 +102,7 @@ void bind_numbers(ResultType& type) {
 
 void bind_result(py::module_& module) {
   bind_iteration(module);
+  bind_runner_up(module);
   ResultType type(module, "Result", kDoc);
   bind_numbers(type);
   type.def_property_readonly(
@@ -102,6 +114,8 @@ void bind_result(py::module_& module) {
   type.def_property_readonly("evidence", found(&AlignResult::evidence),
                              "An Evidence for and against the pose; None if there is no pose.");
   type.def_property_readonly("doubts", &doubts, "list of Doubt: why the pose is doubtful.");
+  type.def_property_readonly("runners_up", found(&AlignResult::runners_up),
+                             "list of RunnerUp: other poses that fit as well, if status is Status.AMBIGUOUS.");
   type.def_property_readonly("history", found(&AlignResult::history), "list of Iteration, at full resolution.");
   type.def_property_readonly(
       "options", [](const Result& result) { return values_of(result.options); },

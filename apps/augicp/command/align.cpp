@@ -73,6 +73,7 @@ ExitCode exit_code_for(AlignStatus status) {
     case AlignStatus::IterationLimit:
     case AlignStatus::Degenerate:
     case AlignStatus::Doubtful:
+    case AlignStatus::Ambiguous:
       return kDoubtful;
     default:
       return kRegistrationFailed;

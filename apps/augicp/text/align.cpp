@@ -75,6 +75,16 @@ nlohmann::ordered_json evidence_json(const AlignResult& result) {
             {"tangent", statistics_json(evidence.residuals.tangent)}}}};
 }
 
+nlohmann::ordered_json runners_up_json(const AlignResult& result) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const RunnerUp& other : result.runners_up)
+    rows.push_back({{"T_target_source", matrix_json(other.target_from_source.matrix())},
+                    {"strain", strain(other.evidence)},
+                    {"source_in_target", testimony_json(other.evidence.source_in_target)},
+                    {"target_in_source", testimony_json(other.evidence.target_in_source)}});
+  return rows;
+}
+
 std::string testimony_text(const char* name, const Testimony& testimony) {
   std::string text = fmt::format("{} sees {:.0f} % of the other; {:.1f} % of it agree", name, 100.0 * testimony.seen(),
                                  100.0 * testimony.agreeing());
@@ -108,6 +118,8 @@ std::string advice_for(AlignStatus status) {
       return "failed: a number is no longer finite";
     case AlignStatus::Doubtful:
       return "a pose was found, but the clouds contradict it; give a better --initial, or they have no common surface";
+    case AlignStatus::Ambiguous:
+      return "the clouds agree on this pose, and on a clearly different one as well; runners_up has those";
   }
   return {};
 }
@@ -134,6 +146,7 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
     json["intensity"] = {{"used", result.num_intensity_pairs > 0}, {"num_pairs", result.num_intensity_pairs}};
   json["free_motions"] = free_motions_json(result);
   if (result.evidence) json["evidence"] = evidence_json(result);
+  if (!result.runners_up.empty()) json["runners_up"] = runners_up_json(result);
   if (report.with_history) json["history"] = history_json(result);
   json["version"] = AUGICP_VERSION;
   json["options"] = options_json(effective_options(report));

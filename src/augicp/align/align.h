@@ -114,6 +114,10 @@ struct AlignResult {
   std::optional<Evidence> evidence;
   std::vector<Doubt> doubts;
 
+  // If the status is Ambiguous: other poses that the evidence supports, the best first. register_prepared() looks for
+  // them between clouds.
+  std::vector<RunnerUp> runners_up;
+
   // Those of the last iteration, in the order of the source's points.
   std::vector<Correspondence> pairs;
 

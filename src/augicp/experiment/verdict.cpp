@@ -39,7 +39,7 @@ Scan bare(const Scan& scan) {
 
 double overlap_of(const Scan& source, const Scan& target, const Rigid3& target_from_source) {
   const AgreementTolerance tolerance{.distance = 0.0, .per_depth = kOverlapPerDepth};
-  const Agreement count = matcher_for(target, true)->agreement(source.cloud, target_from_source, tolerance, 1);
+  const Agreement count = matcher_for(target, true, {})->agreement(source.cloud, target_from_source, tolerance, 1);
   return count.total() > 0 ? static_cast<double>(count.agree) / static_cast<double>(count.total()) : 0.0;
 }
 
@@ -75,7 +75,8 @@ void register_pair(const Scan& source, const Scan& target, const std::optional<R
   pair.status = result.status;
   pair.evidence = result.evidence;
   const bool ended = static_cast<int>(result.history.size()) < options.registration.max_iterations;
-  const bool by_verdict = result.status == AlignStatus::Doubtful || result.status == AlignStatus::Converged;
+  const bool by_verdict = result.status == AlignStatus::Doubtful || result.status == AlignStatus::Ambiguous ||
+                          result.status == AlignStatus::Converged;
   pair.without_verdict = !by_verdict ? result.status : ended ? AlignStatus::Converged : AlignStatus::IterationLimit;
   if (truth) {
     pair.error = pose_error(result.target_from_source, *truth);
@@ -176,6 +177,7 @@ std::vector<ConfusionRow> confusion(std::span<const VerdictPair> pairs) {
     row.num_converged_without_verdict += pair.without_verdict == AlignStatus::Converged;
     ++(pair.status == AlignStatus::Converged        ? row.num_converged
        : pair.status == AlignStatus::Doubtful       ? row.num_doubtful
+       : pair.status == AlignStatus::Ambiguous      ? row.num_doubtful
        : pair.status == AlignStatus::Degenerate     ? row.num_degenerate
        : pair.status == AlignStatus::IterationLimit ? row.num_iteration_limit
                                                     : row.num_failed);

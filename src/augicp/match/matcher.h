@@ -7,6 +7,7 @@
 #include "augicp/cloud/correspondence.h"
 #include "augicp/match/agreement.h"
 #include "augicp/match/gates.h"
+#include "augicp/match/range_image.h"
 #include "augicp/search/kd_tree.h"
 #include "augicp/sensor/depth_image.h"
 
@@ -49,6 +50,9 @@ class AgreementCounter {
 
   virtual Agreement agreement(const Cloud& source, const Rigid3& target_from_source,
                               const AgreementTolerance& tolerance, int num_threads) const = 0;
+
+  // Whether agreement() tells free and hidden places from those that the target did not see.
+  virtual bool knows_free_space() const { return false; }
 };
 
 // What a registration needs of each of its scans.
@@ -57,19 +61,23 @@ class ScanMatcher : public Matcher, public AgreementCounter {};
 // The nearest target point of every source point.
 class NearestMatcher final : public ScanMatcher {
  public:
-  explicit NearestMatcher(const Cloud& target);
+  // lines_of_sight: of the target, if its sensor's place is known.
+  explicit NearestMatcher(const Cloud& target, std::optional<RangeImage> lines_of_sight = std::nullopt);
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
   std::unique_ptr<MatchSession> session(const Cloud& source) const override;
 
-  // What lies farther than some tolerances from every target point is unseen: a cloud does not say what was free.
+  // A source point that does not agree lies in free space or is hidden if the lines of sight say so. Otherwise it is
+  // unseen if it is farther than some tolerances from every target point.
   Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
                       int num_threads) const override;
+  bool knows_free_space() const override { return lines_of_sight_.has_value(); }
 
  private:
   const Cloud& target_;
   KdTree tree_;
+  std::optional<RangeImage> lines_of_sight_;
 };
 
 class PairFilter;
@@ -86,6 +94,7 @@ class ProjectiveMatcher final : public ScanMatcher {
                                     int num_threads) const override;
   Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
                       int num_threads) const override;
+  bool knows_free_space() const override { return true; }
 
  private:
   std::vector<Correspondence> match_points(const Cloud& source, const PairFilter& filter) const;

@@ -54,7 +54,8 @@ class NearestSession final : public MatchSession {
 
 }  // namespace
 
-NearestMatcher::NearestMatcher(const Cloud& target) : target_(target), tree_(target) {}
+NearestMatcher::NearestMatcher(const Cloud& target, std::optional<RangeImage> lines_of_sight)
+    : target_(target), tree_(target), lines_of_sight_(std::move(lines_of_sight)) {}
 
 std::vector<Correspondence> NearestMatcher::match(const Cloud& source, const Rigid3& target_from_source,
                                                   const Gates& gates, int num_threads) const {
@@ -85,7 +86,15 @@ Agreement NearestMatcher::agreement(const Cloud& source, const Rigid3& target_fr
       const Vec3f moved = on_surface.moved(j);
       const auto found = tree_.nearest(moved, reach * reach, likely);
       if (found) likely = found->index;
-      ++(!found ? count.unseen : on_surface.agrees(j, moved, found->index, limit) ? count.agree : count.differ);
+      if (found && on_surface.agrees(j, moved, found->index, limit)) {
+        ++count.agree;
+        continue;
+      }
+      const Sight sight = lines_of_sight_ ? lines_of_sight_->sight(moved, limit) : Sight::OutOfView;
+      ++(sight == Sight::Free     ? count.conflict
+         : sight == Sight::Hidden ? count.hidden
+         : found                  ? count.differ
+                                  : count.unseen);
     }
     return count;
   });

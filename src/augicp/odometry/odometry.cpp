@@ -51,6 +51,7 @@ FrameStatus frame_status(AlignStatus status, double strain, const OdometryOption
     case AlignStatus::Converged:
     case AlignStatus::IterationLimit:
     case AlignStatus::Doubtful:
+    case AlignStatus::Ambiguous:
       return strain > options.max_strain ? FrameStatus::Doubtful : FrameStatus::Tracked;
     case AlignStatus::Degenerate:
       return FrameStatus::Degenerate;

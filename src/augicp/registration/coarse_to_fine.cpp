@@ -5,6 +5,7 @@
 
 #include "augicp/registration/judge.h"
 #include "augicp/registration/scan_match.h"
+#include "augicp/registration/start/rivals.h"
 #include "augicp/registration/start/start_search.h"
 #include "augicp/registration/thin_scan.h"
 #include "augicp/shutter/readout_motion.h"
@@ -53,40 +54,91 @@ void improve(const PreparedPair& coarse, bool bends, const RegistrationOptions& 
   }
 }
 
-AlignResult at_full_resolution(const ScanPair& pair, const Start& start, const RegistrationOptions& options) {
-  const bool projective = is_projective(pair.target, options.association);
-  const std::unique_ptr<ScanMatcher> matcher = matcher_for(pair.target, projective);
-  const AlignOptions align_by = align_options(pair.lengths, projective, options);
-  return judged(align(pair.source.cloud, *matcher, start.target_from_source, align_by), pair, *matcher, start.guess,
-                align_by);
-}
+// The loop at full resolution and its verdict, from one start after the other.
+class FullResolution {
+ public:
+  FullResolution(const ScanPair& pair, const Rigid3& guess_target_from_source, const RegistrationOptions& options)
+      : align_by_(align_options(pair.lengths, is_projective(pair.target, options.association), options)),
+        source_(pair.source.cloud),
+        matcher_(matcher_for(pair.target, is_projective(pair.target, options.association), pair.lengths)),
+        judge_(pair, *matcher_, guess_target_from_source, align_by_) {}
+
+  AlignResult from(const Rigid3& start_target_from_source) const {
+    return judge_.judged(align(source_, *matcher_, start_target_from_source, align_by_));
+  }
+
+ private:
+  AlignOptions align_by_;
+  const Cloud& source_;
+  std::unique_ptr<ScanMatcher> matcher_;
+  Judge judge_;
+};
 
 AlignResult without_bend(const ScanPair& pair, const Start& start, const RegistrationOptions& options) {
   const Scan source = without_skew(pair.source, start.readout.source, options.num_threads),
              target = without_skew(pair.target, start.readout.target, options.num_threads);
-  return at_full_resolution({source, target, pair.lengths}, start, options);
+  return FullResolution({source, target, pair.lengths}, start.guess, options).from(start.target_from_source);
 }
 
 bool is_large(const Scan& image) { return step_for(image, kCoarseColumns) > 1; }
+
+// The first result, ambiguous if others that fit as well differ clearly from it and from each other.
+AlignResult with_runners_up(std::vector<AlignResult> results, const ScanPair& pair) {
+  AlignResult best = std::move(results.front());
+  if (best.status != AlignStatus::Converged) return best;
+  std::vector<Rigid3> known{best.target_from_source};
+  std::stable_sort(results.begin() + 1, results.end(), is_better);
+  for (std::size_t k = 1; k < results.size(); ++k) {
+    const Rigid3& other = results[k].target_from_source;
+    const bool is_new = std::all_of(known.begin(), known.end(), [&](const Rigid3& pose) {
+      return differ_clearly(pair.source.cloud, other, pose, kClearlyPerRadius * pair.lengths.radius);
+    });
+    if (!is_new || !results[k].evidence || !fits_as_well(*results[k].evidence, *best.evidence)) continue;
+    known.push_back(other);
+    best.runners_up.push_back({other, *results[k].evidence});
+  }
+  if (!best.runners_up.empty()) best.status = AlignStatus::Ambiguous;
+  return best;
+}
+
+// The guess between clouds leads to a result of its own. Only if that does not convince, other starts compete with it.
+// What convinces is compared with what the scene's symmetries make of it.
+AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options) {
+  const FullResolution full(pair, guess, options);
+  std::vector<AlignResult> results{full.from(guess)};
+  if (!options.search) return std::move(results.front());
+  if (!is_supported(results.front()))
+    for (const Rigid3& start : search_starts(pair, guess, options)) results.push_back(full.from(start));
+  std::iter_swap(results.begin(), std::min_element(results.begin(), results.end(), is_better));
+  if (results.front().status == AlignStatus::Converged)
+    for (const Rigid3& rival : search_rivals(pair, results.front().target_from_source, options))
+      results.push_back(full.from(rival));
+  return with_runners_up(std::move(results), pair);
+}
+
+// Between images the guess is led on at full resolution only if what was found on the way does not convince.
+AlignResult between_images(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options) {
+  Start start{guess, guess, {}};
+  if (options.search) start.target_from_source = search_starts(pair, guess, options).front();
+  const bool bends = options.rolling_shutter && pair.source.view->rolling_shutter && pair.target.view->rolling_shutter;
+  const bool begins_coarse = options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
+  if (bends || begins_coarse) improve(coarser(pair, kCoarseColumns, 1.0), bends, options, start);
+  AlignResult found =
+      bends ? without_bend(pair, start, options) : FullResolution(pair, guess, options).from(start.target_from_source);
+  const bool was_the_guess = !bends && start.target_from_source.matrix() == guess.matrix();
+  if (is_supported(found) || was_the_guess) return found;
+  AlignResult from_guess = FullResolution(pair, guess, options).from(guess);
+  return is_better(found, from_guess) ? found : from_guess;
+}
 
 }  // namespace
 
 AlignResult coarse_to_fine(const ScanPair& pair, const Rigid3& guess_target_from_source,
                            const RegistrationOptions& options) {
-  const Start guess{guess_target_from_source, guess_target_from_source, {}};
-  if (options.preset == Preset::Paper) return at_full_resolution(pair, guess, options);
-  Start start = guess;
-  if (options.search) start.target_from_source = search_start(pair, guess_target_from_source, options);
+  if (options.preset == Preset::Paper)
+    return FullResolution(pair, guess_target_from_source, options).from(guess_target_from_source);
   const bool has_images = pair.source.view && is_projective(pair.target, options.association);
-  const bool bends =
-      has_images && options.rolling_shutter && pair.source.view->rolling_shutter && pair.target.view->rolling_shutter;
-  const bool begins_coarse = has_images && options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
-  if (bends || begins_coarse) improve(coarser(pair, kCoarseColumns, 1.0), bends, options, start);
-  const AlignResult result = bends ? without_bend(pair, start, options) : at_full_resolution(pair, start, options);
-  // What was found on the way may fail at full resolution: then the result is what becomes of the guess.
-  const bool was_the_guess = !bends && start.target_from_source.matrix() == guess_target_from_source.matrix();
-  if (has_pose(result.status) || was_the_guess) return result;
-  return at_full_resolution(pair, guess, options);
+  return (has_images ? between_images : between_clouds)(pair, guess_target_from_source, options);
 }
 
 }  // namespace augicp

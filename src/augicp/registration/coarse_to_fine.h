@@ -6,7 +6,7 @@
 
 namespace augicp {
 
-// The motion between two prepared scans, neither of them empty: from a guess to a start (search_start), on coarse
+// The motion between two prepared scans, neither of them empty: from a guess to a start (search_starts), on coarse
 // images to a pose and the motion during the readout of rolling shutters (ReadoutMotion), and at full resolution to the
 // judged result. Options switch each part off; with none of them, this is align() and the verdict. Iterations and
 // history are those at full resolution.

@@ -21,23 +21,11 @@ constexpr double kDistancePerRadius = 0.5;
 
 Cloud witnesses(const Cloud& cloud) { return evenly_chosen(cloud, kNumWitnesses); }
 
+float sight_tolerance(const Lengths& lengths) { return static_cast<float>(kDistancePerRadius * lengths.radius); }
+
 AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths) {
   if (scan.view) return {.distance = 0.0, .per_depth = kDistancePerDepth};
   return {.distance = kDistancePerRadius * lengths.radius, .per_depth = 0.0};
-}
-
-// What a scan says of points.
-struct Asked {
-  const Scan& scan;
-  const ScanMatcher* nearest;  // of the scan by nearest points if there is one already
-  AgreementTolerance tolerance;
-};
-Testimony testimony_of(const Asked& asked, const Cloud& points, const Rigid3& scan_from_points, int num_threads) {
-  const bool has_view = asked.scan.view.has_value();
-  std::unique_ptr<ScanMatcher> own;
-  if (has_view || !asked.nearest) own = matcher_for(asked.scan, has_view);
-  const ScanMatcher& matcher = own ? *own : *asked.nearest;
-  return {matcher.agreement(points, scan_from_points, asked.tolerance, num_threads), has_view};
 }
 
 // The last step of the loop, where the points are. A loop of one iteration has shown no small step.
@@ -65,42 +53,70 @@ double moved(const Cloud& source, const Rigid3& from_pose, const Rigid3& to_pose
 
 }  // namespace
 
-std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective) {
+std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, const Lengths& lengths) {
   if (projective) return std::make_unique<ProjectiveMatcher>(scan.cloud, scan.view->index, scan.view->camera);
-  return std::make_unique<NearestMatcher>(scan.cloud);
+  if (scan.view) return std::make_unique<NearestMatcher>(scan.cloud);
+  return std::make_unique<NearestMatcher>(scan.cloud, lines_of_sight(scan.cloud, sight_tolerance(lengths)));
 }
 
-Evidence gather_evidence(const ScanPair& pair, const ScanMatcher& matcher, const Rigid3& target_from_source,
-                         const AlignOptions& options) {
-  const Scan &source = pair.source, &target = pair.target;
-  const Cloud of_source = witnesses(source.cloud), of_target = witnesses(target.cloud);
+std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths) {
+  if (scan.view) return scan.cloud.viewpoint;
+  const auto seen = lines_of_sight(scan.cloud, sight_tolerance(lengths));
+  if (!seen) return std::nullopt;
+  return seen->place();
+}
+
+Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const Rigid3& guess_target_from_source,
+             const AlignOptions& options)
+    : pair_(pair),
+      matcher_(matcher),
+      guess_target_from_source_(guess_target_from_source),
+      options_(options),
+      of_source_(witnesses(pair.source.cloud)),
+      of_target_(witnesses(pair.target.cloud)),
+      target_says_(pair.target.view ? matcher_for(pair.target, true, pair.lengths) : nullptr),
+      source_says_(matcher_for(pair.source, pair.source.view.has_value(), pair.lengths)) {}
+
+Evidence Judge::evidence(const Rigid3& target_from_source) const {
+  const int num_threads = options_.num_threads;
+  const ScanMatcher &in_target = target_says_ ? *target_says_ : matcher_, &in_source = *source_says_;
+  const AgreementTolerance tolerance = tolerance_of(pair_.target, pair_.lengths),
+                           back = tolerance_of(pair_.source, pair_.lengths);
   Evidence evidence;
-  const AgreementTolerance tolerance = tolerance_of(target, pair.lengths);
-  evidence.source_in_target =
-      testimony_of({target, &matcher, tolerance}, of_source, target_from_source, options.num_threads);
-  evidence.target_in_source = testimony_of({source, nullptr, tolerance_of(source, pair.lengths)}, of_target,
-                                           inverse(target_from_source), options.num_threads);
-  const auto pairs = matcher.match(of_source, target_from_source, options.gates, options.num_threads);
-  const PosedPairs posed{of_source, target.cloud, pairs, target_from_source};
+  evidence.source_in_target = {in_target.agreement(of_source_, target_from_source, tolerance, num_threads),
+                               in_target.knows_free_space()};
+  evidence.target_in_source = {in_source.agreement(of_target_, inverse(target_from_source), back, num_threads),
+                               in_source.knows_free_space()};
+  const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, num_threads);
+  const PosedPairs posed{of_source_, pair_.target.cloud, pairs, target_from_source};
   evidence.residuals = residuals(posed);
   const auto agreeing = agreeing_points(posed, tolerance);
-  evidence.beyond_planes = share_beyond_planes(target.cloud, agreeing, tolerance);
+  evidence.beyond_planes = share_beyond_planes(pair_.target.cloud, agreeing, tolerance);
   return evidence;
 }
 
-AlignResult judged(AlignResult result, const ScanPair& pair, const ScanMatcher& matcher,
-                   const Rigid3& guess_target_from_source, const AlignOptions& options) {
+AlignResult Judge::judged(AlignResult result) const {
   const AlignStatus reached = result.status;
   if (!has_pose(reached)) return result;
-  Evidence evidence = gather_evidence(pair, matcher, result.target_from_source, options);
-  add_last_step(result, pair.lengths.extent, evidence);
+  Evidence evidence = this->evidence(result.target_from_source);
+  add_last_step(result, pair_.lengths.extent, evidence);
   evidence.observability = result.observability.weakest();
-  evidence.moved = moved(witnesses(pair.source.cloud), guess_target_from_source, result.target_from_source);
+  evidence.moved = moved(of_source_, guess_target_from_source_, result.target_from_source);
   const Verdict verdict = decide(reached, evidence);
   result.status = verdict.status;
   result.doubts = verdict.doubts;
   result.evidence = evidence;
   return result;
+}
+
+bool is_supported(const AlignResult& judged) {
+  return judged.status == AlignStatus::Converged || (judged.status == AlignStatus::Degenerate && judged.doubts.empty());
+}
+
+bool is_better(const AlignResult& judged, const AlignResult& than_judged) {
+  if (!judged.evidence || !than_judged.evidence) return judged.evidence.has_value();
+  if (is_supported(judged) != is_supported(than_judged)) return is_supported(judged);
+  return strain(*judged.evidence) < strain(*than_judged.evidence);
 }
 
 }  // namespace augicp

@@ -10,19 +10,46 @@
 
 namespace augicp {
 
-// Pairs along lines of sight, for which the scan must be a depth image, or with the nearest point. The scan must
-// outlive it.
-std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective);
+// Pairs along lines of sight, for which the scan must be a depth image, or with the nearest point. A cloud whose
+// sensor's place is known also knows its free space. The scan must outlive it.
+std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, const Lengths& lengths);
 
-// What the scans say of each other under a pose between their points. matcher: of the target, as it was registered
-// with; the evidence itself is taken along lines of sight from every scan that is a depth image. It compares a few
+// The place of a cloud's sensor, or of a depth image's camera, if it is known; relative to the cloud's origin.
+std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths);
+
+// Judges poses between two scans, all by the same evidence: what the scans say of each other. It compares a few
 // thousand points of each scan, evenly spread: they tell a share to a hundredth, in a small part of the registration's
-// time.
-Evidence gather_evidence(const ScanPair& pair, const ScanMatcher& matcher, const Rigid3& target_from_source,
-                         const AlignOptions& options);
+// time. Lines of sight are those of each scan that is a depth image or has a known place of its sensor.
+//
+// Scans and matcher must outlive it.
+// Thread safety: const calls may run concurrently.
+class Judge {
+ public:
+  // matcher: of the target, as it is registered with. guess: where the search for the pose began.
+  Judge(const ScanPair& pair, const ScanMatcher& matcher, const Rigid3& guess_target_from_source,
+        const AlignOptions& options);
 
-// A result of align() with its evidence, and its status by decide(). guess: where the search for it began.
-AlignResult judged(AlignResult result, const ScanPair& pair, const ScanMatcher& matcher,
-                   const Rigid3& guess_target_from_source, const AlignOptions& options);
+  // Under a pose between the scans' points.
+  Evidence evidence(const Rigid3& target_from_source) const;
+
+  // A result of align() with its evidence, and its status by decide().
+  AlignResult judged(AlignResult result) const;
+
+ private:
+  ScanPair pair_;
+  const ScanMatcher& matcher_;
+  Rigid3 guess_target_from_source_;
+  AlignOptions options_;
+  Cloud of_source_, of_target_;                             // the points that are compared
+  std::unique_ptr<ScanMatcher> target_says_, source_says_;  // what they are compared with; null: matcher_
+};
+
+// Whether the evidence supports the pose: it converged, or some of its motions are free and there is no doubt about the
+// others.
+bool is_supported(const AlignResult& judged);
+
+// Whether the evidence prefers one of two results for the same scans: a supported one, or else the one with the lower
+// strain.
+bool is_better(const AlignResult& judged, const AlignResult& than_judged);
 
 }  // namespace augicp

@@ -42,8 +42,8 @@ Evidence evidence_at(const Pair& pair, const Rigid3& pose) {
   const RegistrationOptions options;
   const PreparedPair prepared = prepare_pair(pair.source, pair.target, options);
   const bool projective = prepared.target.view.has_value();
-  const auto matcher = matcher_for(prepared.target, projective);
-  return gather_evidence(prepared, *matcher, pose, align_options(prepared.lengths, projective, options));
+  const auto matcher = matcher_for(prepared.target, projective, prepared.lengths);
+  return Judge(prepared, *matcher, {}, align_options(prepared.lengths, projective, options)).evidence(pose);
 }
 
 TEST(Judge, TheRightPoseHasWitnessesBothWays) {
@@ -84,7 +84,31 @@ TEST(Judge, RegistrationOfANearPairIsTrusted) {
   EXPECT_TRUE(images.doubts.empty());
   const AlignResult clouds = register_scans(as_cloud(pair.source), as_cloud(pair.target)).result;
   EXPECT_EQ(clouds.status, AlignStatus::Converged);
-  EXPECT_FALSE(clouds.evidence->source_in_target.knows_free_space);
+}
+
+// Clouds in the frame of a room, far from where they were seen, do not tell what was free.
+TEST(Judge, CloudsKnowTheirFreeSpaceFromTheirSensorOnly) {
+  const Pair pair = near_pair();
+  const Rigid3 away{rotation_exp({0.2, 0.1, 0.3}), {0.5, -0.3, -1.5}};
+  const auto moved = [&](const Scan& scan) { return scan_of(transform(as_cloud(scan).cloud, away)); };
+  const Pair elsewhere{moved(pair.source), moved(pair.target), away * pair.target_from_source * inverse(away)};
+  const Evidence evidence = evidence_at(elsewhere, elsewhere.target_from_source);
+  EXPECT_FALSE(evidence.source_in_target.knows_free_space);
+  EXPECT_FALSE(evidence.target_in_source.knows_free_space);
+  EXPECT_EQ(evidence.source_in_target.count.conflict, 0);
+}
+
+// What the clouds' own sensors saw through speaks against a wrong pose as a depth image does, and not against the right
+// one.
+TEST(Judge, FreeSpaceOfCloudsSpeaksAgainstWrongPosesAlone) {
+  const Pair pair = near_pair();
+  const Pair clouds{as_cloud(pair.source), as_cloud(pair.target), pair.target_from_source};
+  const Evidence right = evidence_at(clouds, pair.target_from_source);
+  EXPECT_LT(right.source_in_target.conflicting(), 0.02);
+  EXPECT_LT(right.target_in_source.conflicting(), 0.02);
+  const Rigid3 off{rotation_exp({0.0, 0.3, 0.0}), {0.2, 0.0, 0.0}};
+  const Evidence wrong = evidence_at(clouds, pair.target_from_source * off);
+  EXPECT_GT(std::max(wrong.source_in_target.conflicting(), wrong.target_in_source.conflicting()), 0.1);
 }
 
 TEST(Judge, WithoutCommonSurfaceNothingIsTrusted) {

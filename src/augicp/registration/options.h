@@ -58,7 +58,7 @@ struct RegistrationOptions {
   std::optional<double> damping;      // see AlignOptions
 
   // Beyond the paper, and off under its preset.
-  bool search = true;           // if the guess does not convince, others are tried: see search_start()
+  bool search = true;           // if the guess does not convince, others are tried: see search_starts()
   bool coarse_to_fine = true;   // large images are aligned at a coarse resolution first
   bool rolling_shutter = true;  // the distortion of rolling shutters is removed, see ReadoutMotion
 

@@ -58,6 +58,8 @@ AlignResult between_frames(AlignResult result, const Cloud& source, const Cloud&
   result.target_from_source = with_origins(result.target_from_source, source, target);
   for (AlignIteration& iteration : result.history)
     iteration.target_from_source = with_origins(iteration.target_from_source, source, target);
+  for (RunnerUp& other : result.runners_up)
+    other.target_from_source = with_origins(other.target_from_source, source, target);
   for (FreeMotion& motion : result.free_motions) motion.point += target.origin;
   return result;
 }

@@ -30,8 +30,9 @@ bool is_projective(const Scan& target, Association association) {
 ScanMatch::ScanMatch(const ScanPair& pair, const RegistrationOptions& options)
     : scans_(pair),
       options_(options),
-      in_target_(matcher_for(pair.target, is_projective(pair.target, options.association))),
-      in_source_(matcher_for(pair.source, pair.source.view && options.association != Association::Nearest)) {}
+      in_target_(matcher_for(pair.target, is_projective(pair.target, options.association), pair.lengths)),
+      in_source_(
+          matcher_for(pair.source, pair.source.view && options.association != Association::Nearest, pair.lengths)) {}
 
 AlignOptions ScanMatch::usual_options() const {
   AlignOptions options = align_options(scans_.lengths, is_projective(scans_.target, options_.association), options_);

@@ -5,7 +5,7 @@ namespace augicp {
 
 bool has_pose(AlignStatus status) {
   return status == AlignStatus::Converged || status == AlignStatus::IterationLimit ||
-         status == AlignStatus::Degenerate || status == AlignStatus::Doubtful;
+         status == AlignStatus::Degenerate || status == AlignStatus::Doubtful || status == AlignStatus::Ambiguous;
 }
 
 }  // namespace augicp

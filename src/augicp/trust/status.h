@@ -14,6 +14,7 @@ enum class AlignStatus {
   NoOverlap,       // hardly any source point has a correspondence
   Diverged,        // a number is no longer finite
   Doubtful,        // a pose was found, but the evidence contradicts it, see verdict.h
+  Ambiguous,       // the evidence supports a clearly different pose as well, see AlignResult::runners_up
 };
 template <>
 inline constexpr auto kWords<AlignStatus> =
@@ -23,7 +24,8 @@ inline constexpr auto kWords<AlignStatus> =
                                       {AlignStatus::TooFewPairs, "too_few_pairs"},
                                       {AlignStatus::NoOverlap, "no_overlap"},
                                       {AlignStatus::Diverged, "diverged"},
-                                      {AlignStatus::Doubtful, "doubtful"}});
+                                      {AlignStatus::Doubtful, "doubtful"},
+                                      {AlignStatus::Ambiguous, "ambiguous"}});
 
 // Whether there is a pose, to be trusted or not.
 bool has_pose(AlignStatus status);

@@ -35,6 +35,13 @@ std::array<double, 4> strains(const Evidence& evidence, const VerdictLimits& lim
           is_bare ? evidence.moved / limits.max_moved_on_planes : 0.0};
 }
 
+// A cloud that does not know its free space calls unseen what contradicts the pose. Then a pose that leaves more unseen
+// than another is the worse one. The same surface sampled twice differs by a few hundredths.
+constexpr double kAlikeMargin = 0.1;
+bool is_seen_as_well(const Testimony& rival, const Testimony& best) {
+  return rival.knows_free_space || rival.margin() >= best.margin() - kAlikeMargin;
+}
+
 }  // namespace
 
 double Testimony::seen() const { return share(visible(count), count.total()); }
@@ -73,6 +80,13 @@ Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimit
   else if (has_settled(evidence, limits))
     verdict.status = AlignStatus::Converged;
   return verdict;
+}
+
+bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits) {
+  rival.moved = best.moved;
+  return has_settled(rival, limits) && strain(rival, limits) <= 1.0 &&
+         is_seen_as_well(rival.source_in_target, best.source_in_target) &&
+         is_seen_as_well(rival.target_in_source, best.target_in_source);
 }
 
 }  // namespace augicp

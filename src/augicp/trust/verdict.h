@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "augicp/core/words.h"
+#include "augicp/geometry/rigid3.h"
 #include "augicp/match/agreement.h"
 #include "augicp/trust/residuals.h"
 #include "augicp/trust/status.h"
@@ -99,5 +100,15 @@ bool has_settled(const Evidence& evidence, const VerdictLimits& limits = {});
 // The status of a pose. `reached` is the status of the loop. Converged and IterationLimit become Converged,
 // IterationLimit or Doubtful. All others need no evidence and stay unchanged.
 Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimits& limits = {});
+
+// A pose that the evidence supports beside the one that was found, and clearly different from it.
+struct RunnerUp {
+  Rigid3 target_from_source;  // as AlignResult::target_from_source
+  Evidence evidence;
+};
+
+// Whether the evidence supports another pose as well as the best one. A rival lies far from the guess by its nature: it
+// counts as if it had moved no farther than the best pose.
+bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits = {});
 
 }  // namespace augicp

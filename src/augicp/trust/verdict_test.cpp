@@ -54,6 +54,33 @@ TEST(Verdict, TheLessIsSeenTheBetterItMustAgree) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
+TEST(Verdict, ARivalFitsAsWellIfItsEvidenceIsAsGood) {
+  EXPECT_TRUE(fits_as_well(good_evidence(), good_evidence()));
+  Evidence contradicted = good_evidence();
+  contradicted.target_in_source.count = {.agree = 550, .conflict = 50, .unseen = 400};
+  EXPECT_FALSE(fits_as_well(contradicted, good_evidence()));
+  Evidence moving = good_evidence();
+  moving.last_step = 1e-2;
+  EXPECT_FALSE(fits_as_well(moving, good_evidence()));
+  Evidence far = good_evidence();  // rivals are far from the guess by their nature
+  far.beyond_planes = 0.0;
+  far.moved = 2.0;
+  EXPECT_FALSE(strain(far) <= 1.0);
+  EXPECT_TRUE(fits_as_well(far, good_evidence()));
+}
+
+// Without free space a contradiction is merely unseen: what leaves more of it unseen is the worse pose.
+TEST(Verdict, ARivalMustSeeAsMuchWhereFreeSpaceIsUnknown) {
+  Evidence best = good_evidence(), rival = best;
+  best.source_in_target.count = {.agree = 900, .unseen = 100};
+  rival.source_in_target.count = {.agree = 700, .unseen = 300};
+  EXPECT_TRUE(fits_as_well(rival, best));
+  rival.source_in_target.knows_free_space = best.source_in_target.knows_free_space = false;
+  EXPECT_FALSE(fits_as_well(rival, best));
+  rival.source_in_target.count = {.agree = 870, .unseen = 130};
+  EXPECT_TRUE(fits_as_well(rival, best));
+}
+
 // Three bare planes fit any other three: there the guess must have been near. What else agrees makes up for a far one.
 TEST(Verdict, BarePlanesAreTrustedNearTheGuessOnly) {
   Evidence evidence = good_evidence();

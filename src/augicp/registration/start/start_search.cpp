@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <span>
 
 #include "augicp/core/angles.h"
 #include "augicp/core/parallel.h"
-#include "augicp/registration/start/hypotheses.h"
+#include "augicp/registration/judge.h"
+#include "augicp/registration/start/lead_on.h"
 #include "augicp/registration/thin_scan.h"
 
 namespace augicp {
@@ -19,9 +19,10 @@ constexpr int kCoarseColumns = 40, kMiddleColumns = 80;
 constexpr double kCoarseVoxels = 8.0, kMiddleVoxels = 4.0;
 
 // On images an alignment finds its way from some 10 degrees, farther turned images soon see nothing in common. Clouds
-// seen all around are found from 40 degrees.
+// may have been seen all around.
 const std::vector<double> kTurnsOfImages{17.0 * kRadPerDeg, 34.0 * kRadPerDeg, 51.0 * kRadPerDeg};
-const std::vector<double> kTurnsOfClouds{40.0 * kRadPerDeg, 80.0 * kRadPerDeg};
+const std::vector<double> kTurnsOfClouds{20.0 * kRadPerDeg, 40.0 * kRadPerDeg,  60.0 * kRadPerDeg,
+                                         90.0 * kRadPerDeg, 130.0 * kRadPerDeg, 180.0 * kRadPerDeg};
 const std::vector<double> kTurnsOfPulled{40.0 * kRadPerDeg};
 
 // Above, the guess is taken to have led to the right pose and nothing else is tried; see plausibility().
@@ -54,34 +55,9 @@ AlignOptions cloud_options(const ScanMatch& level, const RegistrationOptions& op
   return coarse;
 }
 
-// About what a scan is turned: its camera, or the middle of its points.
-Vec3d pivot_of(const Scan& scan) {
-  const Vec3f place = scan.view && scan.cloud.viewpoint ? *scan.cloud.viewpoint : median_point(scan.cloud);
-  return place.cast<double>();
-}
-
-AlignOptions on_one_thread(AlignOptions options) {
-  options.num_threads = 1;
-  return options;
-}
-
-std::optional<Hypothesis> led_on(const ScanMatch& level, const Rigid3& start, const AlignOptions& options) {
-  const AlignResult result = level.align(start, options);
-  if (!has_pose(result.status)) return std::nullopt;
-  return Hypothesis{result.target_from_source, level.plausibility(result.target_from_source, options.num_threads),
-                    result.status == AlignStatus::Degenerate};
-}
-
-// Side by side, each on one thread: a start on few points gives threads nothing to share.
-std::vector<Hypothesis> led_on(const ScanMatch& level, std::span<const Rigid3> starts, const AlignOptions& options) {
-  std::vector<std::optional<Hypothesis>> of_start(starts.size());
-  const AlignOptions alone = on_one_thread(options);
-  const auto follow = [&](std::size_t k, std::size_t) { of_start[k] = led_on(level, starts[k], alone); };
-  for_each_block(starts.size(), options.num_threads, follow, 1);
-  std::vector<Hypothesis> found;
-  for (const auto& hypothesis : of_start)
-    if (hypothesis) found.push_back(*hypothesis);
-  return found;
+// About what a scan is turned: its sensor, or the middle of its points.
+Vec3d pivot_of(const Scan& scan, const Lengths& lengths) {
+  return sensor_place(scan, lengths).value_or(median_point(scan.cloud)).cast<double>();
 }
 
 bool is_convincing(const std::vector<Hypothesis>& hypotheses) {
@@ -111,16 +87,28 @@ std::vector<Rigid3> pulled_together(const ScanMatch& coarse, std::vector<Rigid3>
   return starts;
 }
 
+// Wide gates find clouds that lie far apart. Where the clouds overlap in part only, wide gates pull together what does
+// not belong together, and the usual ones find the pose.
+std::vector<Hypothesis> cloud_hypotheses(const ScanMatch& coarse, std::span<const Rigid3> starts,
+                                         const RegistrationOptions& options) {
+  std::vector<Hypothesis> found = led_on(coarse, starts, cloud_options(coarse, options));
+  AlignOptions narrow = coarse.usual_options();
+  narrow.max_iterations = kCloudIterations;
+  const auto others = led_on(coarse, starts, narrow);
+  found.insert(found.end(), others.begin(), others.end());
+  return found;
+}
+
 std::vector<Hypothesis> coarse_hypotheses(const ScanMatch& coarse, const Rigid3& guess,
                                           const RegistrationOptions& options) {
   const Scan &source = coarse.scans().source, &target = coarse.scans().target;
   const bool has_images = source.view && target.view;
-  const bool projective = is_projective(target, options.association);
-  const Vec3d pivot = guess * pivot_of(source);
-  const AlignOptions by = projective ? image_options(coarse) : cloud_options(coarse, options);
-  std::vector<Hypothesis> found =
-      led_on_from_guess(coarse, turned(guess, pivot, has_images ? kTurnsOfImages : kTurnsOfClouds), by);
-  if (!projective || is_convincing(found)) return found;
+  const Vec3d pivot = guess * pivot_of(source, coarse.scans().lengths);
+  const std::vector<Rigid3> starts = turned(guess, pivot, has_images ? kTurnsOfImages : kTurnsOfClouds);
+  if (!is_projective(target, options.association)) return cloud_hypotheses(coarse, starts, options);
+  const AlignOptions by = image_options(coarse);
+  std::vector<Hypothesis> found = led_on_from_guess(coarse, starts, by);
+  if (is_convincing(found)) return found;
   const auto pulled = pulled_together(coarse, turned(guess, pivot, kTurnsOfPulled), options);
   const auto led = led_on_from_guess(coarse, pulled, by);
   found.insert(found.end(), led.begin(), led.end());
@@ -129,23 +117,27 @@ std::vector<Hypothesis> coarse_hypotheses(const ScanMatch& coarse, const Rigid3&
 
 }  // namespace
 
-Rigid3 search_start(const ScanPair& pair, const Rigid3& guess_target_from_source, const RegistrationOptions& options) {
+std::vector<Rigid3> search_starts(const ScanPair& pair, const Rigid3& guess_target_from_source,
+                                  const RegistrationOptions& options) {
   const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels);
   const std::vector<Hypothesis> candidates =
       best_of(coarse_hypotheses(ScanMatch(coarse, options), guess_target_from_source, options), kMaxCandidates,
               pair.lengths.radius, kSameAngle);
-  if (candidates.empty()) return guess_target_from_source;
+  if (candidates.empty()) return {guess_target_from_source};
   const PreparedPair scans = coarser(pair, kMiddleColumns, kMiddleVoxels);
   const ScanMatch middle(scans, options);
   AlignOptions by = middle.usual_options();
   by.max_iterations = kMiddleIterations;
   std::vector<Rigid3> starts;
   for (const Hypothesis& candidate : candidates) starts.push_back(candidate.target_from_source);
-  const auto best = best_of(led_on(middle, starts, by), 1, 0.0, 0.0);
+  const auto best = best_of(led_on(middle, starts, by), kMaxCandidates, pair.lengths.radius, kSameAngle);
   // Before a wall the guess says what the wall does not, and must not be taken along by few and noisy points.
   const bool is_guess = best.empty() || (best.front().is_free && angle_between(best.front().target_from_source,
                                                                                guess_target_from_source) < kOwnAngle);
-  return is_guess ? guess_target_from_source : best.front().target_from_source;
+  if (is_guess) return {guess_target_from_source};
+  starts.clear();
+  for (const Hypothesis& hypothesis : best) starts.push_back(hypothesis.target_from_source);
+  return starts;
 }
 
 }  // namespace augicp

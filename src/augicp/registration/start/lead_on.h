@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "augicp/registration/scan_match.h"
+#include "augicp/registration/start/hypotheses.h"
+
+namespace augicp {
+
+// The poses to which align() leads from the starts, in their order, without those starts that lead to no pose. The
+// result is the same for any number of threads.
+std::vector<Hypothesis> led_on(const ScanMatch& level, std::span<const Rigid3> starts, const AlignOptions& options);
+
+// The options for a start on few points: a start gives threads nothing to share.
+AlignOptions on_one_thread(AlignOptions options);
+
+}  // namespace augicp

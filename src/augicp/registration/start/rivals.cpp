@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/start/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/angles.h"
+#include "augicp/geometry/rotation.h"
+#include "augicp/registration/start/lead_on.h"
+#include "augicp/registration/thin_scan.h"
+
+namespace augicp {
+namespace {
+
+constexpr int kCoarseColumns = 40;
+constexpr double kCoarseVoxels = 8.0;  // as in the first level of the search
+constexpr int kIterations = 20;
+
+// On few points a pose that fits as well is less plausible than the one found by chance, but not by more than this.
+constexpr double kLessPlausible = 0.2;
+constexpr std::size_t kMaxRivals = 2;
+constexpr double kSameAngle = 3.0 * kRadPerDeg;
+
+constexpr std::size_t kNumNormals = 512;  // that vote for the axes
+const double kAlike = std::cos(10.0 * kRadPerDeg), kAcross = std::sin(10.0 * kRadPerDeg);
+
+// What a few outliers add to a scene's bounds moves its centre.
+constexpr double kBoundsQuantile = 0.01;
+
+// Parts of the extent. A start within a quarter of a period finds a repetition.
+constexpr double kShifts[] = {-0.3, -0.15, 0.15, 0.3};
+
+std::vector<Vec3d> normals_of(const Cloud& cloud) {
+  std::vector<Vec3d> normals;
+  const Cloud few = evenly_chosen(cloud, kNumNormals);
+  for (std::size_t i = 0; i < few.size() && few.has_directions(); ++i)
+    if (few.structures[i] == Structure::Planar) normals.push_back(few.directions[i].cast<double>());
+  return normals;
+}
+
+// The normal that most others share, whatever their signs; zero if there is none.
+Vec3d most_shared(const std::vector<Vec3d>& normals) {
+  Vec3d best = Vec3d::Zero();
+  std::size_t num_best = 0;
+  for (const Vec3d& axis : normals) {
+    std::size_t count = 0;
+    Vec3d sum = Vec3d::Zero();
+    for (const Vec3d& normal : normals) {
+      const double cosine = axis.dot(normal);
+      if (std::abs(cosine) < kAlike) continue;
+      ++count;
+      sum += cosine > 0.0 ? normal : Vec3d(-normal);
+    }
+    if (count <= num_best) continue;
+    num_best = count;
+    best = sum.normalized();
+  }
+  return best;
+}
+
+// The middle between the bounds along the axes.
+Vec3d centre_of(const Cloud& cloud, const Mat3d& axes) {
+  Vec3d centre = Vec3d::Zero();
+  std::vector<double> along(cloud.size());
+  const auto tail = static_cast<std::ptrdiff_t>(kBoundsQuantile * static_cast<double>(cloud.size() - 1));
+  for (int k = 0; k < 3; ++k) {
+    std::transform(cloud.points.begin(), cloud.points.end(), along.begin(),
+                   [&](const Vec3f& point) { return axes.col(k).dot(point.cast<double>()); });
+    std::nth_element(along.begin(), along.begin() + tail, along.end());
+    const double low = along[static_cast<std::size_t>(tail)];
+    std::nth_element(along.begin(), along.end() - 1 - tail, along.end());
+    centre += 0.5 * (low + *(along.end() - 1 - tail)) * axes.col(k);
+  }
+  return centre;
+}
+
+std::vector<Rigid3> rival_starts(const Cloud& target, const Rigid3& found, double extent) {
+  const Mat3d axes = scene_axes(target);
+  const Vec3d centre = centre_of(target, axes);
+  std::vector<Rigid3> starts;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3d axis = axes.col(k);
+    for (const double angle : {0.5 * std::numbers::pi, std::numbers::pi, -0.5 * std::numbers::pi}) {
+      const Eigen::Quaterniond turn = rotation_exp(angle * axis);
+      starts.push_back(Rigid3{turn, centre - turn * centre} * found);
+    }
+    for (const double shift : kShifts)
+      starts.push_back(Rigid3{Eigen::Quaterniond::Identity(), shift * extent * axis} * found);
+  }
+  return starts;
+}
+
+}  // namespace
+
+bool differ_clearly(const Cloud& source, const Rigid3& a, const Rigid3& b, double limit) {
+  double moved_sq = 0.0;
+  for (const Vec3f& point : source.points)
+    moved_sq += (a * point.cast<double>() - b * point.cast<double>()).squaredNorm();
+  return moved_sq > limit * limit * static_cast<double>(source.size());
+}
+
+Mat3d scene_axes(const Cloud& cloud) {
+  std::vector<Vec3d> normals = normals_of(cloud);
+  const Vec3d first = most_shared(normals);
+  std::erase_if(normals, [&](const Vec3d& normal) { return std::abs(normal.dot(first)) > kAcross; });
+  const Vec3d second = most_shared(normals);
+  if (first.isZero() || second.isZero()) return Mat3d::Identity();
+  Mat3d axes;
+  axes.col(0) = first;
+  axes.col(1) = (second - first.dot(second) * first).normalized();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_target_from_source,
+                                  const RegistrationOptions& options) {
+  const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels);
+  const ScanMatch match(coarse, options);
+  AlignOptions by = match.usual_options();
+  by.max_iterations = kIterations;
+  std::vector<Hypothesis> found =
+      led_on(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by);
+  const double least = match.plausibility(found_target_from_source, options.num_threads) - kLessPlausible;
+  std::erase_if(found, [&](const Hypothesis& rival) {
+    return rival.plausibility < least ||
+           !differ_clearly(coarse.source.cloud, rival.target_from_source, found_target_from_source,
+                           kClearlyPerRadius * pair.lengths.radius);
+  });
+  std::vector<Rigid3> rivals;
+  for (const Hypothesis& rival : best_of(std::move(found), kMaxRivals, pair.lengths.radius, kSameAngle))
+    rivals.push_back(rival.target_from_source);
+  return rivals;
+}
+
+}  // namespace augicp
