@@ -16,7 +16,10 @@ namespace {
 
 constexpr int kCoarseColumns = 40;
 constexpr double kCoarseVoxels = 8.0;  // as in the first level of the search
-constexpr int kIterations = 20;
+
+// A few iterations tell which starts are worth leading on.
+constexpr int kFirstIterations = 5, kIterations = 20;
+constexpr std::size_t kMaxLedOn = 4;
 
 // On few points a pose that fits as well is less plausible than the one found by chance, but not by more than this.
 constexpr double kLessPlausible = 0.2;
@@ -119,9 +122,14 @@ std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_targ
   const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels);
   const ScanMatch match(coarse, options);
   AlignOptions by = match.usual_options();
-  by.max_iterations = kIterations;
-  std::vector<Hypothesis> found =
+  by.max_iterations = kFirstIterations;
+  const auto begun =
       led_on(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by);
+  std::vector<Rigid3> starts;
+  for (const Hypothesis& start : best_of(begun, kMaxLedOn, pair.lengths.radius, kSameAngle))
+    starts.push_back(start.target_from_source);
+  by.max_iterations = kIterations;
+  std::vector<Hypothesis> found = led_on(match, starts, by);
   const double least = match.plausibility(found_target_from_source, options.num_threads) - kLessPlausible;
   std::erase_if(found, [&](const Hypothesis& rival) {
     return rival.plausibility < least ||
