@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+"""Whether the recipes under packaging/ can be read by what reads them, and say the version of VERSION.
+
+    packaging_test.py PROJECT
+
+Tools that are not installed (nix, ruby, conan) are named in the output, and only what they would read is left out.
+"""
+import ast
+import json
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree
+from pathlib import Path
+
+PROJECT = Path(sys.argv[1])
+PACKAGING = PROJECT / "packaging"
+VERSION = (PROJECT / "VERSION").read_text(encoding="utf-8").strip()
+
+
+def versions():
+    """Where each recipe that cannot read VERSION has the version."""
+    port = json.loads((PACKAGING / "vcpkg/augicp/vcpkg.json").read_text(encoding="utf-8"))
+    yield "vcpkg.json", port["version"]
+    manifest = xml.etree.ElementTree.parse(PROJECT / "package.xml").getroot()
+    yield "package.xml", manifest.findtext("version")
+    yield "debian/changelog", re.match(r"augicp \(([\d.]+)-\d+\)", (PACKAGING / "debian/changelog").read_text(encoding="utf-8"))[1]
+
+
+def library_package():
+    """Debian names the package of a shared library by its soname: libaugicp.so.MAJOR.MINOR, below 1.0."""
+    return "libaugicp" + ".".join(VERSION.split(".")[:2])
+
+
+def commands():
+    for script in (PACKAGING / "completion/augicp.bash", PACKAGING / "wheel/install-libraries", PROJECT / "scripts/wheel", PROJECT / "scripts/package"):
+        yield ["bash", "-n", script]
+    for test in (PACKAGING / "debian/tests").iterdir():
+        if test.name != "control":
+            yield ["sh", "-n", test]
+    yield ["ruby", "-c", PACKAGING / "homebrew/augicp.rb"]
+    yield ["nix-instantiate", "--parse", PACKAGING / "nix/default.nix"]
+    yield ["conan", "inspect", PACKAGING / "conan"]
+
+
+def main():
+    wrong = [f"{place} has version {version}, VERSION has {VERSION}" for place, version in versions() if version != VERSION]
+    if f"Package: {library_package()}\n" not in (PACKAGING / "debian/control").read_text(encoding="utf-8"):
+        wrong.append(f"debian/control has no package {library_package()}")
+    for file in PACKAGING.rglob("*.py"):
+        ast.parse(file.read_text(encoding="utf-8"), str(file))
+    for command in commands():
+        if not shutil.which(command[0]):
+            print(f"not read, {command[0]} is not installed: {command[-1].relative_to(PROJECT)}")
+            continue
+        finished = subprocess.run(command, capture_output=True, text=True, check=False)
+        if finished.returncode != 0:
+            wrong.append(f"{command[-1].relative_to(PROJECT)}: {finished.stderr.strip()}")
+    print(*(wrong or ["the recipes can be read, and have one version"]), sep="\n")
+    return bool(wrong)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
