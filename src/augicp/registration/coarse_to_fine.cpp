@@ -110,7 +110,8 @@ AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const Regi
   if (!is_supported(results.front()))
     for (const Rigid3& start : search_starts(pair, guess, options)) results.push_back(full.from(start));
   std::iter_swap(results.begin(), std::min_element(results.begin(), results.end(), is_better));
-  if (results.front().status == AlignStatus::Converged)
+  // The evidence compares shapes. Rivals that brightness tells apart look alike to it.
+  if (results.front().status == AlignStatus::Converged && results.front().num_intensity_pairs == 0)
     for (const Rigid3& rival : search_rivals(pair, results.front().target_from_source, options))
       results.push_back(full.from(rival));
   return with_runners_up(std::move(results), pair);
