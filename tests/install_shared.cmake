@@ -8,7 +8,7 @@ set(preset ${CMAKE_COMMAND} --preset install -S ${SOURCE} -B ${SHARED_BUILD} -DC
 file(REMOVE_RECURSE ${SHARED_BUILD})
 run(${preset})
 file(READ ${SHARED_BUILD}/compile_commands.json commands)
-if(NOT commands MATCHES "apps/augicp/main\\.cpp")
+if(NOT commands MATCHES "apps/augicp/command/main\\.cpp")
   message(FATAL_ERROR "the preset install does not build the command")
 endif()
 foreach(unwanted _test\\.cpp augicp/testing examples/ fuzz/ -Werror)
