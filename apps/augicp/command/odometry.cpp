@@ -12,8 +12,10 @@
 
 #include "apps/augicp/command/choice.h"
 #include "apps/augicp/command/exit_code.h"
+#include "apps/augicp/command/frame_range.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/lidar_odometry.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
 #include "apps/augicp/command/table_options.h"
@@ -22,6 +24,7 @@
 #include "apps/augicp/text/odometry.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/depth_sequence.h"
+#include "augicp/io/scan_sequence.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/odometry/option_table.h"
 #include "augicp/odometry/track.h"
@@ -29,12 +32,29 @@
 namespace augicp::app {
 namespace {
 
+enum class Sensor { Auto, Depth, Lidar };
+}  // namespace
+}  // namespace augicp::app
+
+namespace augicp {
+template <>
+inline constexpr auto kWords<app::Sensor> = std::to_array<Word<app::Sensor>>({{app::Sensor::Auto, "auto"},
+                                                                              {app::Sensor::Depth, "depth"},
+                                                                              {app::Sensor::Lidar, "lidar"}});
+}  // namespace augicp
+
+namespace augicp::app {
+namespace {
+
 struct OdometryArguments {
   std::string sequence, output, camera, json, page;
+  Sensor sensor = Sensor::Auto;
   std::optional<double> depth_scale, readout_s;
-  double frames_per_s = 30.0, time_offset_s = 0.0;
-  std::size_t first = 0, last = std::size_t{1} << 40, every = 1;
+  std::optional<double> frames_per_s;
+  double time_offset_s = 0.0;
+  FrameRange range;
   OdometryOptions odometry;
+  LidarArguments lidar;
   Progress progress = Progress::Auto;
   bool quiet = false;
 };
@@ -58,12 +78,8 @@ DepthCamera camera_for(const DepthSequence& sequence, const OdometryArguments& a
 // The selected frames, each with its number in the sequence.
 std::vector<FrameRow> chosen_frames(const DepthSequence& sequence, const OdometryArguments& arguments) {
   std::vector<FrameRow> rows;
-  const std::size_t end = std::min(arguments.last, sequence.frames.size());
-  for (std::size_t i = arguments.first; i < end; i += std::min(arguments.every, end - i))
+  for (const std::size_t i : arguments.range.chosen(sequence.frames.size(), "frame"))
     rows.push_back({i, sequence.frames[i].path, {}, 0.0});
-  if (rows.empty())
-    throw std::invalid_argument(fmt::format("--first {} --last {}: no frame of the sequence's {} is chosen",
-                                            arguments.first, arguments.last, sequence.frames.size()));
   return rows;
 }
 
@@ -132,13 +148,9 @@ std::string in_numbers(const DepthCamera& camera) {
 }
 
 // Every option as it took effect, so that --config with this file repeats the run, from any folder.
-std::string effective_config(CLI::App& command, const DepthSequence& sequence, const DepthCamera& camera,
-                             const fs::path& output) {
+std::string effective_config(CLI::App& command, const fs::path& output) {
   set(command, "--sequence", fs::absolute(command.get_option("--sequence")->as<std::string>()).string());
   set(command, "--output", fs::absolute(output).string());
-  set(command, "--camera", in_numbers(camera));
-  command.get_option("--depth-scale")->default_str(fmt::format("{}", sequence.depth_scale));
-  command.get_option("--readout")->default_str(fmt::format("{}", camera.readout_s));
   std::istringstream lines(command.config_to_str(/*default_also=*/true));
   std::string config = "[odometry]\n";
   for (std::string line; std::getline(lines, line);)
@@ -146,19 +158,75 @@ std::string effective_config(CLI::App& command, const DepthSequence& sequence, c
   return config;
 }
 
-int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
-  arguments.odometry.check();
-  evaluation_options(arguments).check();
-  const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s);
-  const DepthCamera camera = camera_for(sequence, arguments);
+std::string effective_config(CLI::App& command, const DepthSequence& sequence, const DepthCamera& camera,
+                             const fs::path& output) {
+  set(command, "--camera", in_numbers(camera));
+  command.get_option("--depth-scale")->default_str(fmt::format("{}", sequence.depth_scale));
+  command.get_option("--readout")->default_str(fmt::format("{}", camera.readout_s));
+  return effective_config(command, output);
+}
+
+// The folder of the results, with nothing of another run in it.
+fs::path made_output_folder(const OdometryArguments& arguments) {
   const fs::path folder = output_folder(arguments);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
-  const std::string config = effective_config(command, sequence, camera, folder);
-  write_text_file(folder / "config.toml", config);
-  // The options are written first, so that an unwritable folder costs no run. Results of another run are removed.
-  for (const char* name : {"trajectory.txt", "frames.csv", "metrics.json"}) fs::remove(folder / name, error);
+  for (const char* name : {"trajectory.txt", "poses_kitti.txt", "frames.csv", "covariances.csv", "metrics.json"})
+    fs::remove(folder / name, error);
+  return folder;
+}
+
+void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, const std::string& files) {
+  if (arguments.json == "-") write_json("-", metrics_json(run));
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}output     {}\n", summary_text(run), files);
+}
+
+bool holds_depth_images(const std::string& folder) {
+  try {
+    read_depth_sequence(folder, 1.0);
+    return true;
+  } catch (const IoError&) {
+    return false;
+  }
+}
+
+bool is_lidar(const OdometryArguments& arguments) {
+  if (arguments.sensor != Sensor::Auto) return arguments.sensor == Sensor::Lidar;
+  std::error_code not_a_folder;
+  if (!fs::is_directory(arguments.sequence, not_a_folder)) return false;
+  return !find_scans(arguments.sequence).empty() && !holds_depth_images(arguments.sequence);
+}
+
+int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
+  if (!arguments.page.empty()) throw std::invalid_argument("--report: only for depth cameras");
+  arguments.lidar.odometry.check();
+  require_extension(arguments.lidar.map, {".ply", ".pcd"});
+  LidarInput input;
+  input.name = arguments.sequence;
+  input.sequence = read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
+  input.chosen = arguments.range.chosen(input.sequence.scans.size(), "scan");
+  input.progress = arguments.quiet ? Progress::None : arguments.progress;
+  const fs::path folder = input.output = made_output_folder(arguments);
+  write_text_file(folder / "config.toml", effective_config(command, folder));
+  LidarArguments lidar = arguments.lidar;
+  lidar.odometry.num_threads = arguments.odometry.registration.num_threads;
+  const OdometryRun run = run_lidar_odometry(input, lidar);
+  report_to_user(
+      run, arguments,
+      folder.string() + ": trajectory.txt poses_kitti.txt metrics.json frames.csv covariances.csv config.toml");
+  return exit_code_for(run);
+}
+
+int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
+  arguments.odometry.check();
+  evaluation_options(arguments).check();
+  if (is_lidar(arguments)) return run_lidar(arguments, command);
+  const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
+  const DepthCamera camera = camera_for(sequence, arguments);
+  const fs::path folder = made_output_folder(arguments);
+  // The options are written first, so that an unwritable folder costs no run.
+  write_text_file(folder / "config.toml", effective_config(command, sequence, camera, folder));
 
   std::vector<KeptModel> models;
   const OdometryRun run = track_sequence(sequence, camera, arguments, models);
@@ -170,10 +238,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   });
   const double depth_scale = arguments.depth_scale.value_or(sequence.depth_scale);
   if (!arguments.page.empty()) write_text_file(arguments.page, odometry_page({run, sequence, depth_scale, models}));
-  if (arguments.json == "-") write_json("-", metrics_json(run));
-  if (!arguments.quiet && arguments.json != "-")
-    fmt::print("{}output     {}: trajectory.txt metrics.json frames.csv config.toml\n", summary_text(run),
-               folder.string());
+  report_to_user(run, arguments, folder.string() + ": trajectory.txt metrics.json frames.csv config.toml");
   return exit_code_for(run);
 }
 
@@ -191,17 +256,15 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
       .add_option("--readout", arguments.readout_s,
                   "Rolling shutter: seconds from the first row to the last (default: the camera's; 0: none)")
       ->group(group);
-  command.add_option("--rate", arguments.frames_per_s, "Frames per second, if the folder has no time stamps")
-      ->capture_default_str()
+  command
+      .add_option("--rate", arguments.frames_per_s,
+                  "Frames per second, if the folder has no time stamps (default: 30; LiDAR 10)")
       ->group(group);
-  command.add_option("--first", arguments.first, "The first frame, counted from 0")
-      ->capture_default_str()
+  command.add_option("--sensor", arguments.sensor, "depth, lidar, or auto: by the files in the folder")
+      ->default_str("auto")
+      ->transform(choice<Sensor>())
       ->group(group);
-  command.add_option("--last", arguments.last, "The frame to stop before (default: all)")->group(group);
-  command.add_option("--every", arguments.every, "Use every N-th frame")
-      ->check(CLI::Range(1, 1'000'000'000))
-      ->capture_default_str()
-      ->group(group);
+  add_range_options(command, arguments.range, group);
 }
 
 void add_method_options(CLI::App& command, OdometryOptions& options) {
@@ -232,20 +295,24 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
 
 void add_odometry_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<OdometryArguments>();
-  CLI::App* command = app.add_subcommand("odometry", "Track a depth camera through a folder of images");
+  CLI::App* command =
+      app.add_subcommand("odometry", "Track a depth camera or a LiDAR through a folder of images or scans");
   command
       ->add_option("sequence,--sequence", arguments->sequence,
-                   "A folder: TUM (depth.txt), 7-Scenes (frame-000000.depth.png), or numbered .png images")
+                   "A folder: TUM (depth.txt), 7-Scenes (frame-000000.depth.png), or numbered .png images; KITTI's, or "
+                   "scans as .bin, .pcd or .ply")
       ->required();
   add_sequence_options(*command, *arguments);
   add_method_options(*command, arguments->odometry);
+  add_lidar_options(*command, arguments->lidar);
   add_output_options(*command, *arguments);
   command->footer(
-      "trajectory.txt has T_world_camera in TUM format; the world is the frame of the first camera.\n"
+      "trajectory.txt has T_world_camera in TUM format; the world is the frame of the first camera or scan.\n"
       "Examples:\n"
       "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk --report desk.html\n"
       "  augicp odometry chess/seq-01 --last 500\n"
-      "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
+      "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15\n"
+      "  augicp odometry dataset/sequences/00 --sensor lidar --map map.ply");
   command->callback([arguments, command, &exit_code] { exit_code = run_odometry(*arguments, *command); });
 }
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/lidar_odometry.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "apps/augicp/command/choice.h"
+#include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/output.h"
+#include "augicp/core/error.h"
+#include "augicp/io/atomic_file.h"
+#include "augicp/io/read_cloud.h"
+#include "augicp/io/trajectory_file.h"
+#include "augicp/io/write_cloud.h"
+
+namespace augicp::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSaveEvery_ms = 5000.0;
+
+SweepShares shares_of(const Cloud& cloud, PointTimes point_times) {
+  if (point_times == PointTimes::Azimuth) return shares_from_azimuth(cloud);
+  return point_times == PointTimes::Auto ? shares_from_order(cloud) : SweepShares{};
+}
+
+FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, PointTimes point_times, int segment) {
+  try {
+    const Cloud cloud = read_cloud(scan.path).cloud;
+    return odometry.add(scan.stamp_s, cloud, shares_of(cloud, point_times));
+  } catch (const IoError& error) {
+    FrameReport unreadable;
+    unreadable.stamp_s = scan.stamp_s;
+    unreadable.segment = segment;
+    unreadable.status = FrameStatus::Unreadable;
+    unreadable.problem = error.what();
+    return unreadable;
+  }
+}
+
+// Twelve numbers a scan: the first three rows of its pose, or of the last known one if it has none.
+std::string kitti_poses(const OdometryRun& run) {
+  std::string text;
+  Mat4d pose = Mat4d::Identity();
+  for (const FrameRow& row : run.rows) {
+    if (has_pose(row.report.status)) pose = row.report.world_from_camera.matrix();
+    for (int i = 0; i < 12; ++i) text += fmt::format("{}{:.9g}", i == 0 ? "" : " ", pose(i / 4, i % 4));
+    text += '\n';
+  }
+  return text;
+}
+
+// The upper triangle of each covariance, row by row: tx ty tz rx ry rz, metres and radians.
+std::string covariances_csv(const OdometryRun& run) {
+  std::string text = "frame";
+  for (int i = 0; i < 6; ++i)
+    for (int k = i; k < 6; ++k) text += fmt::format(",c{}{}", i, k);
+  text += '\n';
+  for (const FrameRow& row : run.rows) {
+    if (!row.report.covariance) continue;
+    text += std::to_string(row.frame);
+    for (int i = 0; i < 6; ++i)
+      for (int k = i; k < 6; ++k) text += fmt::format(",{:.6g}", (*row.report.covariance)(i, k));
+    text += '\n';
+  }
+  return text;
+}
+
+void save(const OdometryRun& run, const fs::path& folder) {
+  write_whole([&] {
+    write_tum_trajectory(folder / "trajectory.txt", trajectory_of(run));
+    write_file(folder / "poses_kitti.txt", kitti_poses(run));
+    write_file(folder / "frames.csv", frames_csv(run));
+    write_file(folder / "covariances.csv", covariances_csv(run));
+    write_json((folder / "metrics.json").string(), metrics_json(run));
+  });
+}
+
+OdometryRun track_scans(const LidarInput& input, PointTimes point_times, LidarOdometry& odometry) {
+  OdometryRun run{input.name, input.sequence.layout, {}, 0.0, {}, {}};
+  ProgressBar bar(input.chosen.size(), "scans", input.progress);
+  const Stopwatch all;
+  double saved_ms = 0.0;
+  int segment = 0;
+  for (const std::size_t frame : input.chosen) {
+    const ScanFile& scan = input.sequence.scans[frame];
+    FrameRow row{frame, scan.path, {}, 0.0};
+    row.report = report_on(odometry, scan, point_times, segment);
+    segment = row.report.segment;
+    row.time_ms = all.elapsed_ms() - run.total_ms;
+    run.total_ms = all.elapsed_ms();
+    run.rows.push_back(std::move(row));
+    bar.advance();
+    if (run.total_ms < saved_ms + kSaveEvery_ms) continue;
+    save(run, input.output);
+    saved_ms = run.total_ms;
+  }
+  return run;
+}
+
+void require_readable_scans(const OdometryRun& run) {
+  const auto is_unreadable = [](const FrameRow& row) { return row.report.status == FrameStatus::Unreadable; };
+  if (std::all_of(run.rows.begin(), run.rows.end(), is_unreadable))
+    throw IoError("no scan can be used; the first: " + run.rows.front().report.problem);
+}
+
+}  // namespace
+
+void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
+  const std::string group = "LiDAR";
+  command
+      .add_option("--point-times", arguments.point_times,
+                  "When the points of a sweep were measured: auto: by their order, azimuth, or none: at once")
+      ->default_str("auto")
+      ->transform(choice<PointTimes>())
+      ->group(group);
+  command.add_option("--map-voxel", arguments.odometry.voxel_size, "Voxels of the map, metres (default: derived)")
+      ->group(group);
+  command.add_option("--map", arguments.map, "Write the surfaces around the last pose, .ply or .pcd")->group(group);
+}
+
+OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& arguments) {
+  LidarOptions options = arguments.odometry;
+  options.covariance = true;
+  LidarOdometry odometry(options);
+  OdometryRun run = track_scans(input, arguments.point_times, odometry);
+  require_readable_scans(run);
+  save(run, input.output);
+  const Cloud map = odometry.map();
+  if (!arguments.map.empty() && !map.empty()) write_whole([&] { write_cloud(arguments.map, map); });
+  return run;
+}
+
+}  // namespace augicp::app

@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`augicp odometry` on folders of LiDAR scans, by the files it writes: scans of a hall, ray-cast here, along a known path.
+
+    lidar_test.py COMMAND PROJECT
+"""
+import csv
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+COMMAND = Path(sys.argv[1])
+HALL = np.array([[-3.0, -6.0, -1.2], [17.0, 6.0, 2.0]])  # corners, metres
+BOXES = [np.array(box) for box in (
+    [[2.0, 2.5, -1.2], [3.0, 4.0, 1.0]], [[6.0, -4.0, -1.2], [6.8, -3.2, 2.0]],
+    [[9.0, 3.0, -1.2], [11.0, 3.6, 0.6]], [[13.0, -2.5, -1.2], [13.6, -1.5, 2.0]], [[-2.0, -5.0, -1.2], [-1.0, -3.0, 0.4]])]
+NUM_SCANS, STEP_M, STEP_RAD, NOISE_M = 10, 0.4, 0.02, 0.01
+
+
+def world_from_sensor(k):
+    c, s = np.cos(STEP_RAD * k), np.sin(STEP_RAD * k)
+    pose = np.eye(4)
+    pose[:3, :3] = [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]
+    pose[:3, 3] = [STEP_M * k, 0.3 * np.sin(0.5 * k), 0.0]
+    return pose
+
+
+def distances(origin, directions):
+    """Along each ray to the nearest wall: out of the hall, or into a box."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        nearest = np.max((HALL - origin)[:, None] / directions, axis=0).min(axis=1)
+        for box in BOXES:
+            planes = (box - origin)[:, None] / directions
+            enter, leave = planes.min(axis=0).max(axis=1), planes.max(axis=0).min(axis=1)
+            hit = (enter > 0.0) & (enter < leave)
+            nearest = np.where(hit, np.minimum(nearest, enter), nearest)
+    return nearest
+
+
+def scan(k, generator):
+    """(N, 4) points of a sensor of 64 rings in its own frame, and their intensity."""
+    azimuths = np.linspace(-np.pi, np.pi, 480, endpoint=False) + 1e-3
+    elevations = np.deg2rad(np.linspace(-30.0, 20.0, 64))
+    e, a = np.meshgrid(elevations, azimuths)
+    rays = np.stack([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)], axis=-1).reshape(-1, 3)
+    pose = world_from_sensor(k)
+    ranges = distances(pose[:3, 3], rays @ pose[:3, :3].T) + generator.normal(0.0, NOISE_M, len(rays))
+    return np.column_stack([rays * ranges[:, None], np.full(len(rays), 0.5)]).astype("<f4")
+
+
+def run(*arguments):
+    return subprocess.run([COMMAND, "odometry", *map(str, arguments)], capture_output=True, text=True)
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Lidar(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.root = Path(cls.folder.name)
+        cls.scans = cls.root / "scans"
+        cls.scans.mkdir()
+        generator = np.random.default_rng(24)
+        for k in range(NUM_SCANS):
+            scan(k, generator).tofile(cls.scans / f"{k}.bin")
+        cls.output = cls.root / "out"
+        cls.result = run(cls.scans, "--output", cls.output, "--point-times", "none", "--map", cls.root / "map.ply", "--quiet")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_a_folder_of_scans_is_taken_for_a_lidar(self):
+        self.assertEqual(self.result.returncode, 0, self.result.stderr)
+        rows = rows_of(self.output / "frames.csv")
+        self.assertEqual(len(rows), NUM_SCANS)
+        self.assertEqual(rows[0]["status"], "started")
+        self.assertTrue(all(row["status"] == "tracked" for row in rows[1:]), rows)
+
+    def test_the_trajectory_is_the_true_one(self):
+        poses = np.loadtxt(self.output / "poses_kitti.txt").reshape(-1, 3, 4)
+        tum = np.loadtxt(self.output / "trajectory.txt")
+        first = np.linalg.inv(world_from_sensor(0))
+        for k, pose in enumerate(poses):
+            true = first @ world_from_sensor(k)
+            self.assertLess(np.linalg.norm(pose[:, 3] - true[:3, 3]), 0.03, k)
+            self.assertLess(np.arccos(min(1.0, (np.trace(pose[:, :3] @ true[:3, :3].T) - 1.0) / 2.0)), 0.006, k)
+            self.assertLess(np.abs(tum[k, 1:4] - pose[:, 3]).max(), 1e-6)
+        self.assertLess(abs(tum[1, 0] - tum[0, 0] - 0.1), 1e-9)  # 10 scans a second
+
+    def test_every_pose_but_the_first_has_a_covariance(self):
+        rows = np.genfromtxt(self.output / "covariances.csv", delimiter=",", names=True)
+        self.assertEqual(len(rows), NUM_SCANS - 1)
+        self.assertTrue((rows["c00"] > 0.0).all())
+
+    def test_the_map_is_where_the_walls_are(self):
+        text = (self.root / "map.ply").read_bytes()
+        self.assertIn(b"element vertex", text)
+        self.assertTrue((self.output / "config.toml").read_text().startswith("[odometry]"))
+        self.assertIn("metrics", (self.output / "metrics.json").name)
+        self.assertEqual(json.loads((self.output / "metrics.json").read_text())["sequence"], str(self.scans))
+
+    def test_the_config_repeats_the_run(self):
+        again = self.root / "again"
+        config = (self.output / "config.toml").read_text()
+        (self.root / "config.toml").write_text(config.replace(str(self.output), str(again)))
+        self.assertEqual(subprocess.run([COMMAND, "--config", self.root / "config.toml", "odometry"], capture_output=True).returncode, 0)
+        self.assertEqual((again / "trajectory.txt").read_text(), (self.output / "trajectory.txt").read_text())
+
+    def test_threads_change_no_bit(self):
+        alone = self.root / "alone"
+        self.assertEqual(run(self.scans, "--output", alone, "--point-times", "none", "--threads", 1, "--quiet").returncode, 0)
+        self.assertEqual((alone / "trajectory.txt").read_text(), (self.output / "trajectory.txt").read_text())
+
+    def test_what_cannot_be_tracked_is_said(self):
+        empty = self.root / "empty"
+        empty.mkdir(exist_ok=True)
+        for arguments in ([empty], [empty, "--sensor", "lidar"], [self.scans, "--first", "99"],
+                          [self.scans, "--point-times", "sometimes"], [self.scans, "--map", "map.xyz"]):
+            refused = run(*arguments, "--output", self.root / "refused")
+            self.assertNotIn(refused.returncode, (0, 4, 5), arguments)
+            self.assertTrue(refused.stderr)
+            self.assertFalse((self.root / "refused").exists())
+
+    def test_a_scan_that_cannot_be_read_does_not_end_the_run(self):
+        broken = self.root / "broken"
+        broken.mkdir(exist_ok=True)
+        for k in range(4):
+            content = (self.scans / f"{k}.bin").read_bytes()
+            (broken / f"{k}.bin").write_bytes(content if k != 2 else content[:-7])
+        self.assertIn(run(broken, "--output", self.root / "b", "--point-times", "none", "--quiet").returncode, (0, 5))
+        rows = rows_of(self.root / "b/frames.csv")
+        self.assertEqual([row["status"] for row in rows], ["started", "tracked", "unreadable", "tracked"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v"])
