@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <optional>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,13 +32,21 @@ void change(std::optional<Value>& value) {
   value ? value.reset() : void(value.emplace());
 }
 
+// Lower-case letters and digits in words with single underscores between them, a letter first.
+inline bool is_snake_case(const std::string& name) {
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto is_allowed = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && is_letter(name.front()) && name.back() != '_' && name.find("__") == std::string::npos &&
+         std::all_of(name.begin(), name.end(), is_allowed);
+}
+
 template <typename Options>
 void expect_sound_texts(const Options& options) {
   std::set<std::string> names, flags;
   for_each_option(options, [&](const OptionText& text, const auto& field) {
     const std::string name(text.name);
     EXPECT_TRUE(names.insert(name).second && flags.insert(flag_name(text)).second) << name << " is there twice";
-    EXPECT_TRUE(std::regex_match(name, std::regex("[a-z][a-z0-9]*(_[a-z0-9]+)*"))) << name;
+    EXPECT_TRUE(is_snake_case(name)) << name;
     EXPECT_FALSE(text.group.empty() || text.help.empty()) << name;
     EXPECT_FALSE(text.help.ends_with('.') || text.help.ends_with("metres") || text.help.ends_with("seconds")) << name;
     constexpr bool is_optional = kIsOptional<std::remove_cvref_t<decltype(field)>>;
