@@ -9,8 +9,9 @@ checks itself on a small tree with one fault of each kind.
 """
 import re
 import sys
-import tempfile
 from pathlib import Path
+
+from fault_tree import expect_faults, report
 
 MAX_WIDTH = 100
 PAGES = ("*.md", "docs/**/*.md", "data/*.md", "benchmarks/**/*.md", "experiments/**/*.md", "examples/**/*.md")
@@ -85,20 +86,12 @@ def check_self():
         "docs/a.md: #nowhere: no such heading",
         "docs/a.md:9: 150 columns, wrap at 100",
     }
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in tree.items():
-            path = Path(folder) / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        found = list(faults(Path(folder)))
-        assert sorted(found) == sorted(expected), f"found {found}"
+    expect_faults(faults, tree, expected)
 
 
 def main():
     check_self()
-    found = list(faults(Path(sys.argv[1])))
-    print("\n".join(found) if found else "every link resolves, every line fits")
-    return 1 if found else 0
+    return report(list(faults(Path(sys.argv[1]))), "every link resolves, every line fits")
 
 
 if __name__ == "__main__":

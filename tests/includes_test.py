@@ -10,8 +10,9 @@ Before it looks at ROOT it checks itself on a small tree with one fault of each 
 """
 import re
 import sys
-import tempfile
 from pathlib import Path
+
+from fault_tree import expect_faults, written
 
 SOURCE_SUFFIXES = {".h", ".cpp", ".py", ".cmake", ".in"}
 SOURCE_FOLDERS = ["src", "apps", "examples", "tests", "cmake", "scripts", "python", "experiments", "benchmarks", ".ci"]
@@ -151,14 +152,9 @@ def check_self():
         "apps/augicp/text/f.h: is not named in apps/augicp/CMakeLists.txt",
         "scripts/tool: no SPDX line at its top",
     }
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in tree.items():
-            path = Path(folder) / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        found = list(faults(Path(folder)))
-        assert sorted(found) == sorted(expected), f"found {found}"
-        assert [line.split(":")[0] for line in long_files(Path(folder))] == ["src/augicp/match/forgotten.cpp"]
+    expect_faults(faults, tree, expected)
+    with written(tree) as root:
+        assert [line.split(":")[0] for line in long_files(root)] == ["src/augicp/match/forgotten.cpp"]
 
 
 def main():

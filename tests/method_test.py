@@ -10,8 +10,9 @@ Before it looks at ROOT it checks itself on a small tree with one fault of each 
 """
 import re
 import sys
-import tempfile
 from pathlib import Path
+
+from fault_tree import expect_faults, report
 
 ROW = re.compile(r"^\| (.*) \| ([^|]*) \| `([\w/]+\.(?:h|cpp))` \|$", re.MULTILINE)
 NUMBERS = re.compile(r"\((\d+)\)")
@@ -77,20 +78,12 @@ def check_self():
         "docs/method.md: cloud/a.h does not mark Eq. (8)",
         "src/augicp/cloud/b.cpp: Eq. (9) has no row in docs/method.md",
     }
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in tree.items():
-            path = Path(folder) / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        found = list(faults(Path(folder)))
-        assert sorted(found) == sorted(expected), f"found {found}"
+    expect_faults(faults, tree, expected)
 
 
 def main():
     check_self()
-    found = list(faults(Path(sys.argv[1])))
-    print("\n".join(found) if found else "every name stands in its file, every marked equation has a row")
-    return 1 if found else 0
+    return report(list(faults(Path(sys.argv[1]))), "every name stands in its file, every marked equation has a row")
 
 
 if __name__ == "__main__":
