@@ -91,11 +91,6 @@ void OdometryOptions::check() const {
   require_not_negative("max_extrapolation_s", max_extrapolation_s);
 }
 
-bool has_pose(FrameStatus status) {
-  return status == FrameStatus::Started || status == FrameStatus::Tracked || status == FrameStatus::Degenerate ||
-         status == FrameStatus::Doubtful;
-}
-
 Scan prepare_frame(const DepthImage& image, const DepthCamera& camera, const OdometryOptions& options) {
   const int step = options.pixel_step > 0 ? options.pixel_step : std::max(1, image.width / kUsualColumns);
   Scan scan = scan_of(image, camera, step, options.range);

@@ -35,12 +35,7 @@ std::optional<PreparedFrame> next_prepared(FrameSource& source, const DepthCamer
 
 FrameReport report_on(const PreparedFrame& frame, Odometry& odometry, int segment) {
   if (frame.problem.empty()) return odometry.add(frame.stamp_s, frame.scan);
-  FrameReport unreadable;
-  unreadable.segment = segment;
-  unreadable.stamp_s = frame.stamp_s;
-  unreadable.status = FrameStatus::Unreadable;
-  unreadable.problem = frame.problem;
-  return unreadable;
+  return unreadable_frame(frame.stamp_s, segment, frame.problem);
 }
 
 }  // namespace

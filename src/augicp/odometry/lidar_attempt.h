@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// One scan at one pose, while LidarOdometry looks for where it belongs.
+#pragma once
+
+#include <optional>
+
+#include "augicp/align/align.h"
+#include "augicp/odometry/lidar_odometry.h"
+
+namespace augicp {
+
+struct LidarOdometry::Attempt {
+  Cloud fine, source;
+  AlignResult result;
+  Rigid3 world_from_sensor;
+  double agreement = 0.0, rmse = 0.0;
+  int iterations = 0;
+  std::optional<double> gain_of_deskewing;  // of the agreement, where both were tried
+};
+
+// The distance of a typical point, voxels: a rotation counts as what it moves a point there.
+inline constexpr double kTypicalDistanceVoxels = 15.0;
+inline double typical_distance(double voxel_size) { return kTypicalDistanceVoxels * voxel_size; }
+
+// How far two poses are apart, metres: by their translations, and by what their rotations move a point at a distance.
+inline double motion_between(const Rigid3& a, const Rigid3& b, double typical_distance) {
+  return (a.translation - b.translation).norm() + typical_distance * angle_between(a, b);
+}
+
+}  // namespace augicp
