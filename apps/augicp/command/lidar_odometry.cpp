@@ -3,10 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "apps/augicp/command/choice.h"
 #include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
 #include "augicp/core/error.h"
 #include "augicp/io/atomic_file.h"
@@ -31,12 +30,7 @@ FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, PointTimes 
     const Cloud cloud = read_cloud(scan.path).cloud;
     return odometry.add(scan.stamp_s, cloud, shares_of(cloud, point_times));
   } catch (const IoError& error) {
-    FrameReport unreadable;
-    unreadable.stamp_s = scan.stamp_s;
-    unreadable.segment = segment;
-    unreadable.status = FrameStatus::Unreadable;
-    unreadable.problem = error.what();
-    return unreadable;
+    return unreadable_frame(scan.stamp_s, segment, error.what());
   }
 }
 
@@ -100,12 +94,6 @@ OdometryRun track_scans(const LidarInput& input, PointTimes point_times, LidarOd
   return run;
 }
 
-void require_readable_scans(const OdometryRun& run) {
-  const auto is_unreadable = [](const FrameRow& row) { return row.report.status == FrameStatus::Unreadable; };
-  if (std::all_of(run.rows.begin(), run.rows.end(), is_unreadable))
-    throw IoError("no scan can be used; the first: " + run.rows.front().report.problem);
-}
-
 }  // namespace
 
 void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
@@ -126,7 +114,7 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   options.covariance = true;
   LidarOdometry odometry(options);
   OdometryRun run = track_scans(input, arguments.point_times, odometry);
-  require_readable_scans(run);
+  require_readable(run, "scan");
   save(run, input.output);
   const Cloud map = odometry.map();
   if (!arguments.map.empty() && !map.empty()) write_whole([&] { write_cloud(arguments.map, map); });

@@ -11,11 +11,11 @@
 #include <stdexcept>
 
 #include "apps/augicp/command/choice.h"
-#include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/frame_range.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/lidar_odometry.h"
+#include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
 #include "apps/augicp/command/table_options.h"
@@ -60,13 +60,6 @@ struct OdometryArguments {
 };
 
 namespace fs = std::filesystem;
-
-fs::path output_folder(const OdometryArguments& arguments) {
-  if (!arguments.output.empty()) return arguments.output;
-  const fs::path sequence = fs::path(arguments.sequence).lexically_normal();
-  const fs::path name = sequence.has_filename() ? sequence.filename() : sequence.parent_path().filename();
-  return (name.empty() || name == "." || name == ".." ? "sequence" : name.string()) + "_odometry";
-}
 
 DepthCamera camera_for(const DepthSequence& sequence, const OdometryArguments& arguments) {
   DepthCamera camera = sequence_camera(sequence, arguments.sequence, arguments.camera);
@@ -123,19 +116,6 @@ OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& cam
   return run;
 }
 
-ExitCode exit_code_for(const OdometryRun& run) {
-  const Trajectory trajectory = trajectory_of(run);
-  if (trajectory.empty() || (trajectory.size() == 1 && run.rows.size() > 1)) return kRegistrationFailed;
-  return num_segments(run) > 1 || !mostly_tracked(run) ? kDoubtful : kSuccess;
-}
-
-// If every image is refused, the images are not the reason.
-void require_readable_frames(const OdometryRun& run) {
-  const auto is_unreadable = [](const FrameRow& row) { return row.report.status == FrameStatus::Unreadable; };
-  if (std::all_of(run.rows.begin(), run.rows.end(), is_unreadable))
-    throw IoError("no image can be used; the first: " + run.rows.front().report.problem);
-}
-
 void set(CLI::App& command, const std::string& option, const std::string& value) {
   command.get_option(option)->clear();
   command.get_option(option)->add_result(value);
@@ -164,17 +144,6 @@ std::string effective_config(CLI::App& command, const DepthSequence& sequence, c
   command.get_option("--depth-scale")->default_str(fmt::format("{}", sequence.depth_scale));
   command.get_option("--readout")->default_str(fmt::format("{}", camera.readout_s));
   return effective_config(command, output);
-}
-
-// The folder of the results, with nothing of another run in it.
-fs::path made_output_folder(const OdometryArguments& arguments) {
-  const fs::path folder = output_folder(arguments);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
-  for (const char* name : {"trajectory.txt", "poses_kitti.txt", "frames.csv", "covariances.csv", "metrics.json"})
-    fs::remove(folder / name, error);
-  return folder;
 }
 
 void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, const std::string& files) {
@@ -207,7 +176,7 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   input.sequence = read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
   input.chosen = arguments.range.chosen(input.sequence.scans.size(), "scan");
   input.progress = arguments.quiet ? Progress::None : arguments.progress;
-  const fs::path folder = input.output = made_output_folder(arguments);
+  const fs::path folder = input.output = made_output_folder(arguments.output, arguments.sequence);
   write_text_file(folder / "config.toml", effective_config(command, folder));
   LidarArguments lidar = arguments.lidar;
   lidar.odometry.num_threads = arguments.odometry.registration.num_threads;
@@ -224,13 +193,13 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   if (is_lidar(arguments)) return run_lidar(arguments, command);
   const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
   const DepthCamera camera = camera_for(sequence, arguments);
-  const fs::path folder = made_output_folder(arguments);
+  const fs::path folder = made_output_folder(arguments.output, arguments.sequence);
   // The options are written first, so that an unwritable folder costs no run.
   write_text_file(folder / "config.toml", effective_config(command, sequence, camera, folder));
 
   std::vector<KeptModel> models;
   const OdometryRun run = track_sequence(sequence, camera, arguments, models);
-  require_readable_frames(run);
+  require_readable(run, "image");
   write_whole([&] {
     write_tum_trajectory(folder / "trajectory.txt", trajectory_of(run));
     write_file(folder / "frames.csv", frames_csv(run));
