@@ -15,7 +15,7 @@ std::string verdict_html(const AlignResult& result);
 // The colour of the status: good, warn or bad.
 std::string badge_class(AlignStatus status);
 
-// The options that are set, but for the count of threads.
+// The options that are set, without the number of threads.
 NamedTexts options_texts(const RegistrationOptions& options);
 
 }  // namespace augicp::app
