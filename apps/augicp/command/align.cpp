@@ -139,9 +139,8 @@ void add_align_command(CLI::App& app, int& exit_code) {
   command->footer(
       "The result T_target_source maps source coordinates into the target frame.\n"
       "Examples:\n"
-      "  augicp align scan_b.ply scan_a.ply --transform T.txt --output b_in_a.ply\n"
+      "  augicp align scan_b.ply scan_a.ply --transform T.txt --report alignment.html\n"
       "  augicp align 000002.png 000001.png --camera tum-fr1 --json -\n"
-      "  augicp align scan_b.ply scan_a.ply --report alignment.html\n"
       "  augicp align 2.png 1.png --camera tum-fr1 --intensity --source-image rgb/2.png --target-image rgb/1.png\n"
       "  augicp align b.pcd a.pcd --initial \"0.1 0 0 0 0 0 1\" --max-distance 0.5 --method gicp");
   command->callback([arguments, &exit_code] { exit_code = run_align(*arguments); });

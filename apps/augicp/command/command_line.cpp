@@ -11,6 +11,7 @@
 #include "apps/augicp/command/info.h"
 #include "apps/augicp/command/odometry.h"
 #include "apps/augicp/command/surface.h"
+#include "apps/augicp/command/version.h"
 
 namespace augicp::app {
 namespace {
@@ -34,7 +35,7 @@ void refuse_options_as_values(CLI::App& app) {
 void set_up_command_line(CLI::App& app, int& exit_code) {
   app.description(
       "Rigid registration of 3D point clouds with augmented measurements: positions, normals and tangents.");
-  app.set_version_flag("--version", "augicp " AUGICP_VERSION);
+  app.set_version_flag("-V,--version", version_text, "Print version, commit, compiler and instructions, and exit");
   app.set_config("--config", "", "Read options from a TOML file, a section for each subcommand; flags win over it");
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.require_subcommand(1);

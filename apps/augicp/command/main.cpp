@@ -8,6 +8,7 @@
 #include "apps/augicp/command/command_line.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/refusal.h"
 #include "augicp/core/error.h"
 
 namespace augicp::app {
@@ -22,10 +23,17 @@ int run(int argc, char** argv) {
   CLI::App app;
   int exit_code = kSuccess;
   set_up_command_line(app, exit_code);
+  if (argc <= 1) {
+    fmt::print("{}", overview(app));
+    return fail("a subcommand is required", kUsage);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kSuccess : kUsage;
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+      return app.exit(error);  // --help, --version
+    fmt::print(stderr, "{}", refusal(app, {argv + 1, argv + argc}, error));
+    return kUsage;
   }
   return exit_code;
 }

@@ -279,9 +279,9 @@ void add_odometry_command(CLI::App& app, int& exit_code) {
       "trajectory.txt has T_world_camera in TUM format; the world is the frame of the first camera or scan.\n"
       "Examples:\n"
       "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk --report desk.html\n"
+      "  augicp odometry dataset/sequences/00 --sensor lidar --map map.ply\n"
       "  augicp odometry chess/seq-01 --last 500\n"
-      "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15\n"
-      "  augicp odometry dataset/sequences/00 --sensor lidar --map map.ply");
+      "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
   command->callback([arguments, command, &exit_code] { exit_code = run_odometry(*arguments, *command); });
 }
 

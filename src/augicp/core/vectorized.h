@@ -10,9 +10,11 @@
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(AUGICP_NO_AVX2)
 #if __GNUC__ >= 12 && !defined(AUGICP_NO_AVX512)
 #define AUGICP_VECTORIZED [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]]
+#define AUGICP_HAS_AVX512
 #else
 #define AUGICP_VECTORIZED [[gnu::target_clones("avx2", "default")]]
 #endif
+#define AUGICP_HAS_AVX2
 #else
 #define AUGICP_VECTORIZED
 #endif

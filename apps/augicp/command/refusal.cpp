@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/refusal.h"
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <sstream>
+
+#include "apps/augicp/command/suggestion.h"
+
+namespace augicp::app {
+namespace {
+
+// Two jobs, as of `align`: scans and depth images.
+constexpr std::size_t kExamplesShown = 2;
+
+// The lines of the help's footer that begin with the command's name.
+std::vector<std::string> examples(const CLI::App& command) {
+  std::istringstream lines(command.get_footer());
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  augicp ")) found.push_back(line);
+  return found;
+}
+
+std::string full_name(const CLI::App& command) {
+  return command.get_parent() ? full_name(*command.get_parent()) + " " + command.get_name() : "augicp";
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : command.get_subcommands({})) names.push_back(subcommand->get_name());
+  return names;
+}
+
+const CLI::App* subcommand_of(const CLI::App& command, const std::string& name) {
+  for (const CLI::App* subcommand : command.get_subcommands({}))
+    if (subcommand->get_name() == name) return subcommand;
+  return nullptr;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
+  return names;
+}
+
+std::string meant(const std::string& suggestion, const std::string& prefix = "") {
+  return suggestion.empty() ? "." : fmt::format(". Did you mean {}{}?", prefix, suggestion);
+}
+
+// The subcommands below a command that have an option of this name, or the command itself.
+const CLI::App* owner_of(const CLI::App& command, const std::string& option) {
+  if (command.get_option_no_throw(option)) return &command;
+  for (const CLI::App* subcommand : command.get_subcommands({}))
+    if (const CLI::App* owner = owner_of(*subcommand, option)) return owner;
+  return nullptr;
+}
+
+const CLI::App& root_of(const CLI::App& command) {
+  return command.get_parent() ? root_of(*command.get_parent()) : command;
+}
+
+std::string unknown_option(const CLI::App& command, const std::string& option) {
+  const std::string suggestion = closest(option.substr(2), option_names(command));
+  const std::string message = fmt::format("{} has no option {}", full_name(command), option);
+  if (!suggestion.empty()) return message + meant(suggestion, "--");
+  const CLI::App* owner = owner_of(root_of(command), option);
+  if (!owner) return message + ".";
+  if (owner->get_parent()) return message + fmt::format(". {} has it.", full_name(*owner));
+  return message + fmt::format(". It belongs before the subcommand: augicp {} ... {}", option, command.get_name());
+}
+
+// Walks down to the subcommand that the words choose, and stops at the first word that means nothing.
+struct Walk {
+  const CLI::App* command;
+  std::optional<std::string> problem;
+};
+
+Walk walk(const CLI::App& app, const std::vector<std::string>& words) {
+  Walk at{&app, {}};
+  for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+    const std::string name = words[i].substr(0, words[i].find('='));
+    if (words[i].starts_with("--")) {
+      const CLI::Option* option = at.command->get_option_no_throw(name);
+      if (!option) return {at.command, unknown_option(*at.command, name)};
+      if (option->get_items_expected_max() > 0 && name == words[i]) ++i;  // the value
+    } else if (const CLI::App* next = subcommand_of(*at.command, words[i])) {
+      at.command = next;
+    } else if (at.command->get_require_subcommand_min() > 0 && !words[i].starts_with("-")) {
+      const std::vector<std::string> known = subcommand_names(*at.command);
+      std::string list;
+      for (const std::string& word : known) list += " " + word;
+      return {at.command, fmt::format("{} has no subcommand {}{} There are:{}.", full_name(*at.command), words[i],
+                                      meant(closest(words[i], known)), list)};
+    }
+  }
+  return at;
+}
+
+}  // namespace
+
+std::string overview(const CLI::App& app) {
+  std::string text = app.get_description() + "\n";
+  for (const CLI::App* subcommand : app.get_subcommands({})) {
+    text += fmt::format("\n{}\n", subcommand->get_description());
+    const std::vector<std::string> lines = examples(*subcommand);
+    for (std::size_t i = 0; i < lines.size() && i < kExamplesShown; ++i) text += lines[i] + "\n";
+  }
+  return text + "\naugicp --help lists the subcommands and exit codes, augicp SUBCOMMAND --help the options.\n";
+}
+
+std::string refusal(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
+  const Walk at = walk(app, words);
+  std::string text = fmt::format("augicp: {}\n", at.problem ? *at.problem : error.what());
+  const std::vector<std::string> lines = examples(*at.command);
+  if (!at.problem && dynamic_cast<const CLI::RequiredError*>(&error) && !lines.empty())
+    text += "For example:\n" + lines.front() + "\n";
+  return text + fmt::format("Run {} --help for all options.\n", full_name(*at.command));
+}
+
+}  // namespace augicp::app
