@@ -20,6 +20,7 @@ import evaluation_reference as reference
 AUGICP, PROJECT = Path(sys.argv[1]), Path(sys.argv[2])
 SAMPLE = PROJECT / "data/tum_fr1_desk_30/groundtruth.txt"
 MORE_TRUTHS = sorted((PROJECT / "../shared/data/tum").resolve().glob("*/groundtruth.txt"))
+KITTI = (PROJECT / "../shared/data/formats/kitti_trajectories").resolve()
 TOLERANCE = 1e-9  # metres, and degrees
 OPTIONS = [words for align, rpe in itertools.product(
     ("none", "origin", "rigid", "similarity"),
@@ -166,6 +167,66 @@ class EvaluateTest(unittest.TestCase):
             for words in (("--unit", "seconds"), ("--unit", "metres", "--consecutive"), ("--max-difference", 0.004)):
                 found = self.compare(estimate, truth, "--time-offset", -40, *words)
                 self.assertLess(found["num_matched"], found["num_estimate"])
+
+    def kitti_file(self, name, poses, stamps=()):
+        rows = [[*before, *pose[:3].ravel()] for before, pose in zip([[s] for s in stamps] or [[]] * len(poses), poses)]
+        np.savetxt(self.folder / name, rows, fmt="%.17g")
+        return self.folder / name
+
+    def assert_segments(self, found, expected):
+        count, translation, rotation = expected
+        self.assertEqual(found["num_segments"], count)
+        self.assertAlmostEqual(found["translation_percent"], 100 * translation, 9)
+        self.assertAlmostEqual(found["rotation_deg_per_100m"], 100 * math.degrees(rotation), 9)
+
+    def test_kitti_s_segments_agree_with_the_reference(self):
+        stamps, poses = wandering(30, 4)
+        wrong = with_smooth_error(stamps, poses, 7)
+        expected = reference.kitti_segments(wrong, poses, (0.5, 1, 2))
+        truth = self.kitti_file("truth.txt", poses)
+        for estimate in (self.kitti_file("estimate.txt", wrong), self.kitti_file("timed.txt", wrong, stamps),
+                         self.write("tum.txt", stamps, wrong)):
+            found = self.evaluate(estimate, truth, "--segments", "0.5,1,2")
+            self.assertEqual(found["num_matched"], len(poses))
+            self.assert_segments(found["segments"], expected)
+            self.assertEqual([row["length_m"] for row in found["segments"]["lengths"]], [0.5, 1, 2])
+        self.assertIsNone(self.evaluate(estimate, truth)["segments"])  # no 100 m
+        short = self.kitti_file("short.txt", wrong[:-1])
+        self.assertEqual(run(short, self.write("truth_tum.txt", stamps, poses)).returncode, 3)
+
+    def test_kitti_00_agrees_with_the_reference(self):
+        if not (KITTI / "KITTI_00_gt.txt").exists():
+            self.skipTest("KITTI's trajectories are not beside the project")
+        files = [KITTI / "KITTI_00_ORB.txt", KITTI / "KITTI_00_gt.txt"]
+        estimate, truth = ([np.vstack([row.reshape(3, 4), [0, 0, 0, 1]]) for row in np.loadtxt(file)] for file in files)
+        found = self.evaluate(*files)["segments"]
+        count, translation, rotation = reference.kitti_segments(estimate, truth, range(100, 900, 100))
+        self.assertEqual(found["num_segments"], count)
+        self.assertAlmostEqual(found["translation_percent"], 100 * translation, 4)  # its files have few digits
+        self.assertAlmostEqual(found["rotation_deg_per_100m"], 100 * math.degrees(rotation), 3)
+
+    def test_known_motions_need_no_truth(self):
+        stamps, poses = wandering(30, 4)
+        pairs = [(0, 30), (30, 60), (0, 60), (60, 1000)]
+        known = [np.linalg.inv(poses[i]) @ poses[min(j, len(poses) - 1)] for i, j in pairs]
+        lines = [" ".join(map(repr, (i, j, *map(float, motion[:3, 3]), *map(float, quaternion(motion[:3, :3]))))) + " 0.2 nan"
+                 for (i, j), motion in zip(pairs, known)]
+        (self.folder / "pairs.txt").write_text("# i j ...\n" + "\n".join(lines) + "\n")
+        exact = self.kitti_file("exact.txt", poses)
+        wrong = with_smooth_error(stamps, poses, 8)
+        found = self.evaluate(self.kitti_file("wrong.txt", wrong), "--pairs", self.folder / "pairs.txt", "--beside", exact)
+        self.assertEqual([(row["gap"], row["num_pairs"]) for row in found["pairs"]], [(30, 2), (60, 1)])
+        moved = np.linalg.inv(wrong[0]) @ wrong[60]
+        error = np.linalg.norm((np.linalg.inv(known[2]) @ moved)[:3, 3])
+        length = np.linalg.norm(known[2][:3, 3])
+        self.assertAlmostEqual(found["pairs"][1]["translation_percent"], 100 * error / length, 9)
+        self.assertAlmostEqual(found["pairs"][1]["bias_percent"], 100 * (np.linalg.norm(moved[:3, 3]) / length - 1), 9)
+        for row in found["others"][0]["pairs"]:
+            self.assertLess(row["translation_m"], 1e-9)
+        text = run(self.folder / "wrong.txt", "--pairs", self.folder / "pairs.txt").stdout
+        self.assertIn("3 of 4 are within the estimate", text)
+        table = run(self.folder / "wrong.txt", "--pairs", self.folder / "pairs.txt", "--beside", exact).stdout.splitlines()
+        self.assertEqual([Path(line.rsplit(None, 2)[0]).name for line in table[1:]], ["wrong.txt", "exact.txt"])
 
     def test_delta_longer_than_the_trajectory_gives_no_rpe(self):
         estimate = self.disturbed(SAMPLE, 3, 3)

@@ -145,3 +145,18 @@ def evaluate(estimate_path, truth_path, options):
             "alignment": {"T_truth_estimate": motion.tolist(), "scale": scale},
             "ate_aligned": absolute([motion @ pose for pose in at_scale]) if options["align"] != "none" else None,
             "rpe": pose_statistics([inverse(true_step) @ step for true_step, step in steps])}
+
+
+def kitti_segments(estimate, truth, lengths, step=10):
+    """KITTI's metric of poses that correspond one to one: (number of segments, mean error / length, mean radians / length)."""
+    path = np.concatenate([[0.0], np.cumsum([np.linalg.norm(b[:3, 3] - a[:3, 3]) for a, b in zip(truth, truth[1:])])])
+    translations, rotations = [], []
+    for length in lengths:
+        for first in range(0, len(truth), step):
+            beyond = np.flatnonzero(path > path[first] + length)
+            if not len(beyond):
+                break
+            error = np.linalg.inv(np.linalg.inv(estimate[first]) @ estimate[beyond[0]]) @ np.linalg.inv(truth[first]) @ truth[beyond[0]]
+            translations.append(np.linalg.norm(error[:3, 3]) / length)
+            rotations.append(angle(error[:3, :3]) / length)
+    return len(translations), np.mean(translations), np.mean(rotations)

@@ -4,50 +4,95 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <span>
 #include <stdexcept>
-#include <utility>
+#include <vector>
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/table_options.h"
+#include "apps/augicp/text/drift.h"
 #include "apps/augicp/text/evaluation.h"
 #include "augicp/core/error.h"
 #include "augicp/eval/option_table.h"
-#include "augicp/io/trajectory_file.h"
+#include "augicp/io/pose_file.h"
+#include "augicp/io/reference_pairs_file.h"
 
 namespace augicp::app {
 namespace {
 
 struct EvaluateArguments {
-  std::string estimate, truth, json;
+  std::string estimate, truth, pairs, json;
+  std::vector<std::string> others;  // further estimates
   EvaluationOptions options;
   bool quiet = false;
 };
 
-Trajectory read_trajectory(const std::string& path) {
-  TrajectoryFile file = read_tum_trajectory(path);
-  for (const std::string& warning : file.warnings) fmt::print(stderr, "augicp: warning: {}: {}\n", path, warning);
-  return std::move(file.trajectory);
+PoseFile read_and_warn(const std::string& path) {
+  PoseFile file = read_poses(path);
+  for (const std::string& warning : file.content.warnings)
+    fmt::print(stderr, "augicp: warning: {}: {}\n", path, warning);
+  return file;
 }
 
 // Options were checked before: errors here concern the files.
-Evaluation evaluate_files(const EvaluateArguments& arguments) {
-  const Trajectory estimate = read_trajectory(arguments.estimate), truth = read_trajectory(arguments.truth);
+Evaluation evaluate_files(const std::string& path, PoseFile estimate, const EvaluateArguments& arguments) {
+  PoseFile truth = read_and_warn(arguments.truth);
+  share_stamps(estimate, truth);
+  if (estimate.has_stamps != truth.has_stamps)
+    throw IoError(fmt::format("{}, {}: only one has timestamps, and they have {} and {} poses", path, arguments.truth,
+                              estimate.content.trajectory.size(), truth.content.trajectory.size()));
   try {
-    return evaluate(estimate, truth, arguments.options);
+    return evaluate(estimate.content.trajectory, truth.content.trajectory, arguments.options);
   } catch (const std::invalid_argument& error) {
-    throw IoError(fmt::format("{}, {}: {}", arguments.estimate, arguments.truth, error.what()));
+    throw IoError(fmt::format("{}, {}: {}", path, arguments.truth, error.what()));
   }
+}
+
+std::vector<GapError> errors_of(const PoseFile& estimate, std::span<const ReferencePair> known) {
+  std::vector<Rigid3> poses;
+  for (const StampedPose& pose : estimate.content.trajectory) poses.push_back(pose.world_from_camera);
+  return errors_by_gap(pair_errors(poses, known));
+}
+
+Compared compared(const std::string& path, const EvaluateArguments& arguments, std::span<const ReferencePair> known) {
+  Compared result{path, {}, {}};
+  const PoseFile estimate = read_and_warn(path);
+  if (!arguments.truth.empty()) result.evaluation = evaluate_files(path, estimate, arguments);
+  if (!arguments.pairs.empty()) result.of_gap = errors_of(estimate, known);
+  return result;
+}
+
+std::string text_of(std::span<const Compared> all, const EvaluateArguments& arguments, std::size_t num_known) {
+  if (all.size() > 1) return comparison_text(all);
+  std::string text = fmt::format("estimate   {}\n", arguments.estimate);
+  if (all[0].evaluation) text += fmt::format("truth      {}\n{}", arguments.truth, evaluation_text(*all[0].evaluation));
+  if (all[0].of_gap) text += (all[0].evaluation ? "\n" : "") + gaps_text(*all[0].of_gap, num_known);
+  return text;
+}
+
+nlohmann::ordered_json json_of(const Compared& result, const EvaluateArguments& arguments) {
+  nlohmann::ordered_json json{{"estimate", result.estimate}};
+  if (result.evaluation) {
+    json["truth"] = arguments.truth;
+    json.update(evaluation_json(*result.evaluation));
+  }
+  if (result.of_gap) json["pairs"] = gaps_json(*result.of_gap);
+  return json;
 }
 
 int run_evaluate(const EvaluateArguments& arguments) {
   arguments.options.check();
-  const Evaluation evaluation = evaluate_files(arguments);
-  if (!arguments.quiet && arguments.json != "-")
-    fmt::print("estimate   {}\ntruth      {}\n{}", arguments.estimate, arguments.truth, evaluation_text(evaluation));
+  if (arguments.truth.empty() && arguments.pairs.empty())
+    throw std::invalid_argument("groundtruth is required, or --pairs");
+  std::vector<ReferencePair> known;
+  if (!arguments.pairs.empty()) known = read_reference_pairs(arguments.pairs);
+  std::vector<Compared> all{compared(arguments.estimate, arguments, known)};
+  for (const std::string& other : arguments.others) all.push_back(compared(other, arguments, known));
+  if (!arguments.quiet && arguments.json != "-") fmt::print("{}", text_of(all, arguments, known.size()));
   if (arguments.json.empty()) return kSuccess;
-  nlohmann::ordered_json json{{"estimate", arguments.estimate}, {"truth", arguments.truth}};
-  json.update(evaluation_json(evaluation));
+  nlohmann::ordered_json json = json_of(all[0], arguments);
+  for (std::size_t i = 1; i < all.size(); ++i) json["others"].push_back(json_of(all[i], arguments));
   json["version"] = AUGICP_VERSION;
   write_json(arguments.json, json);
   return kSuccess;
@@ -57,11 +102,20 @@ int run_evaluate(const EvaluateArguments& arguments) {
 
 void add_evaluate_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<EvaluateArguments>();
-  CLI::App* command = app.add_subcommand("evaluate", "Compare a trajectory with the true one: ATE and RPE");
-  command->add_option("estimate,--estimate", arguments->estimate, "A trajectory: timestamp tx ty tz qx qy qz qw a line")
+  CLI::App* command = app.add_subcommand("evaluate", "Compare trajectories with the true one: ATE, RPE and drift");
+  command
+      ->add_option("estimate,--estimate", arguments->estimate,
+                   "A trajectory: timestamp tx ty tz qx qy qz qw a line, or KITTI's 12 numbers")
       ->required();
-  command->add_option("groundtruth,--groundtruth", arguments->truth, "The true trajectory, in the same form")
-      ->required();
+  command->add_option("groundtruth,--groundtruth", arguments->truth, "The true trajectory, in any of these forms");
+  command->add_option("--beside", arguments->others, "Further estimates, compared in one table")->group("Input");
+  command->add_option("--pairs", arguments->pairs, "Known motions: i j tx ty tz qx qy qz qw a line, poses from 0")
+      ->group("Input");
+  command
+      ->add_option("--segments", arguments->options.segments.lengths,
+                   "Lengths of the segments of KITTI's error, metres, separated by commas")
+      ->delimiter(',')
+      ->group("Errors");
   add_all_options(*command, arguments->options);
   command->add_option("--json", arguments->json, "Write all results as JSON to a file, or to stdout with -")
       ->group("Output");
@@ -71,7 +125,8 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  augicp evaluate trajectory.txt groundtruth.txt\n"
       "  augicp evaluate trajectory.txt groundtruth.txt --delta 1 --unit seconds --json errors.json\n"
-      "  augicp evaluate monocular.txt groundtruth.txt --align similarity --truth interpolated");
+      "  augicp evaluate monocular.txt groundtruth.txt --align similarity --truth interpolated\n"
+      "  augicp evaluate poses_kitti.txt 00.txt --segments 10,20,50 --beside other.txt");
   command->callback([arguments, &exit_code] { exit_code = run_evaluate(*arguments); });
 }
 

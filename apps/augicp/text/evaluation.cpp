@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "apps/augicp/text/drift.h"
 #include "apps/augicp/text/matrix_json.h"
 #include "apps/augicp/text/options_json.h"
 #include "augicp/core/angles.h"
@@ -81,7 +82,7 @@ std::string evaluation_text(const Evaluation& evaluation) {
   text += rows("ATE not aligned", evaluation.absolute);
   if (evaluation.aligned) text += rows("ATE aligned", *evaluation.aligned);
   if (evaluation.relative) text += rows("RPE", *evaluation.relative);
-  return text;
+  return text + segments_text(evaluation.segments);
 }
 
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation) {
@@ -95,6 +96,7 @@ nlohmann::ordered_json evaluation_json(const Evaluation& evaluation) {
           {"alignment", alignment_json(evaluation)},
           {"ate_aligned", pose_statistics_json(evaluation.aligned)},
           {"rpe", pose_statistics_json(evaluation.relative)},
+          {"segments", segments_json(evaluation.segments)},
           {"options", options_json(evaluation.options)}};
 }
 

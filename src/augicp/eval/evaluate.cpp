@@ -8,11 +8,18 @@ PoseStatistics statistics_of(const PoseErrors& errors) {
   return {augicp::statistics_of(errors.translation), augicp::statistics_of(errors.rotation)};
 }
 
+SegmentErrors segment_errors_of(std::span<const MatchedPose> poses, const SegmentOptions& options) {
+  std::vector<Rigid3> truth, estimate;
+  for (const MatchedPose& pose : poses) truth.push_back(pose.truth), estimate.push_back(pose.estimate);
+  return segment_errors(truth, estimate, options);
+}
+
 }  // namespace
 
 void EvaluationOptions::check() const {
   association.check();
   delta.check();
+  segments.check();
 }
 
 Evaluation evaluate(const Trajectory& estimate, const Trajectory& truth, const EvaluationOptions& options) {
@@ -33,6 +40,7 @@ Evaluation evaluate(const Trajectory& estimate, const Trajectory& truth, const E
     evaluation.aligned = statistics_of(absolute_errors(poses, truth_from_estimate));
   const std::vector<PosePair> pairs = pairs_at_delta(poses, options.delta);
   if (!pairs.empty()) evaluation.relative = statistics_of(relative_errors(poses, pairs, truth_from_estimate.scale));
+  evaluation.segments = segment_errors_of(poses, options.segments);
   return evaluation;
 }
 

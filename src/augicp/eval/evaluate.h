@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "augicp/eval/segment_errors.h"
 #include "augicp/eval/statistics.h"
 #include "augicp/eval/trajectory_error.h"
 
@@ -14,6 +15,7 @@ struct EvaluationOptions {
   TruthReading truth = TruthReading::Nearest;
   Alignment alignment = Alignment::Rigid;
   DeltaOptions delta{};
+  SegmentOptions segments{};
 
   // Throws std::invalid_argument naming the first field out of its range.
   void check() const;
@@ -34,6 +36,7 @@ struct Evaluation {
   RigidFit alignment;                              // maps the estimate's world to the true one
   std::optional<PoseStatistics> aligned;           // absolute, after the alignment; empty for Alignment::None
   std::optional<PoseStatistics> relative;          // with the alignment's scale; empty if no two poses are delta apart
+  SegmentErrors segments;                          // KITTI's, of the matched poses, without scale
 };
 
 // Compares two trajectories world_from_camera, each in its own world. Throws std::invalid_argument for options out of

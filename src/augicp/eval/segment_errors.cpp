@@ -64,16 +64,4 @@ SegmentErrors segment_errors(std::span<const Rigid3> truth, std::span<const Rigi
   return errors;
 }
 
-std::vector<PairError> pair_errors(std::span<const Rigid3> estimate, std::span<const ReferencePair> pairs) {
-  std::vector<PairError> errors;
-  for (const ReferencePair& pair : pairs) {
-    if (pair.first >= estimate.size() || pair.second >= estimate.size()) continue;
-    const Rigid3 found = motion(estimate, pair.first, pair.second);
-    const Rigid3 error = inverse(pair.first_from_second) * found;
-    errors.push_back({pair, error.translation.norm(), angle_between(error, Rigid3{}),
-                      found.translation.norm() - pair.first_from_second.translation.norm()});
-  }
-  return errors;
-}
-
 }  // namespace augicp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The errors by which LiDAR odometries are compared: KITTI's, over segments of given lengths (A. Geiger et al., "Are we
-// ready for autonomous driving?", CVPR 2012), and against motions that are known for some pairs of scans.
+// KITTI's errors of an odometry, over segments of given lengths (A. Geiger et al., "Are we ready for autonomous
+// driving?", CVPR 2012).
 #pragma once
 
 #include <cstddef>
@@ -36,24 +36,8 @@ struct SegmentErrors {
 };
 
 // A segment ends at the first pose whose true path from its first pose is longer than the length. Both as
-// world_from_sensor, pose by pose. Throws std::invalid_argument unless there are as many of both.
+// world_from_sensor, pose by pose. Throws std::invalid_argument if their counts differ.
 SegmentErrors segment_errors(std::span<const Rigid3> truth, std::span<const Rigid3> estimate,
                              const SegmentOptions& options = {});
-
-// A motion between two scans that is known from elsewhere.
-struct ReferencePair {
-  std::size_t first = 0, second = 0;  // places of the poses, from 0
-  Rigid3 first_from_second;
-};
-
-struct PairError {
-  ReferencePair pair;
-  double translation = 0.0;  // metres, of the difference of the motions
-  double rotation = 0.0;     // radians
-  double bias = 0.0;         // metres: how much longer the estimated motion is than the known one
-};
-
-// Of the pairs whose poses are there. estimate: as world_from_sensor.
-std::vector<PairError> pair_errors(std::span<const Rigid3> estimate, std::span<const ReferencePair> pairs);
 
 }  // namespace augicp

@@ -54,15 +54,5 @@ TEST(SegmentErrors, OddInputsAreRefused) {
   EXPECT_EQ(segment_errors({}, {}).all.num_segments, 0u);
 }
 
-TEST(PairErrors, CompareMotionsAndSkipPairsBeyondTheEnd) {
-  const Rigid3 known{rotation_exp({0.0, 0.0, 0.01}), {10.0, 0.0, 0.0}};
-  const std::vector<ReferencePair> pairs{{0, 10, known}, {5, 80, known}};
-  const std::vector<PairError> errors = pair_errors(path(60, 1.02), pairs);
-  ASSERT_EQ(errors.size(), 1u);
-  EXPECT_NEAR(errors[0].translation, 0.2, 1e-12);
-  EXPECT_NEAR(errors[0].rotation, 0.01, 1e-12);
-  EXPECT_NEAR(errors[0].bias, 0.2, 1e-12);
-}
-
 }  // namespace
 }  // namespace augicp

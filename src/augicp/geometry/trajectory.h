@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct StampedPose {
 
 // Poses in the order of their stamps. Stamps increase strictly.
 using Trajectory = std::vector<StampedPose>;
+
+// A motion between two poses of a sequence that is known from elsewhere.
+struct ReferencePair {
+  std::size_t first = 0, second = 0;  // places of the poses, from 0
+  Rigid3 first_from_second;
+};
 
 // Throws std::invalid_argument naming the first pose whose stamp is not finite or not above the one before it.
 void check_order(const Trajectory& trajectory);

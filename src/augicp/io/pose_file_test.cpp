@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/pose_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace augicp {
+namespace {
+
+using ::testing::HasSubstr;
+
+PoseFile parse(const std::string& text) { return parse_poses({"poses.txt", text}); }
+
+std::string fault_of(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A quarter turn about z, moved to (1 2 3).
+const std::string kRows = "0 -1 0 1  1 0 0 2  0 0 1 3";
+
+TEST(Poses, KittisRowsAreAPose) {
+  const PoseFile read = parse("# poses\n" + kRows + "\n" + kRows + "\n");
+  ASSERT_EQ(read.content.trajectory.size(), 2u);
+  EXPECT_FALSE(read.has_stamps);
+  EXPECT_EQ(read.content.trajectory[1].stamp_s, 1.0);
+  const Rigid3& pose = read.content.trajectory[0].world_from_camera;
+  EXPECT_TRUE((pose * Vec3d(1.0, 0.0, 0.0)).isApprox(Vec3d(1.0, 3.0, 3.0), 1e-12));
+}
+
+TEST(Poses, AThirteenthValueInFrontIsTheStamp) {
+  const PoseFile read = parse("0.5 " + kRows + "\n0.75,0,-1,0,1,1,0,0,2,0,0,1,3\n");
+  EXPECT_TRUE(read.has_stamps);
+  EXPECT_EQ(read.content.trajectory[1].stamp_s, 0.75);
+}
+
+TEST(Poses, TumTrajectoriesAreRead) {
+  const PoseFile read = parse("0.5 1 2 3 0 0 0 1\n");
+  EXPECT_TRUE(read.has_stamps);
+  EXPECT_EQ(read.content.trajectory[0].world_from_camera.translation, Vec3d(1.0, 2.0, 3.0));
+}
+
+TEST(Poses, FaultsNameTheLine) {
+  EXPECT_THAT(fault_of(kRows + "\n" + kRows + " 4\n"), HasSubstr("line 2: expected 12 values"));
+  EXPECT_THAT(fault_of(kRows + "\n1 0 0 0 0 1 0 0 0 0 -1 0\n"), HasSubstr("line 2: transform: not a rigid motion"));
+  EXPECT_THAT(fault_of("1 0 0 0 0 x 0 0 0 0 1 0\n"), HasSubstr("line 1"));
+  EXPECT_THAT(fault_of("1 " + kRows + "\n1 " + kRows + "\n"), HasSubstr("line 2: expected timestamps that increase"));
+  EXPECT_THAT(fault_of("1 2 3\n"), HasSubstr("line 1: expected 8 values"));
+  EXPECT_THAT(fault_of("# nothing\n"), HasSubstr("expected poses"));
+}
+
+TEST(Poses, OneFilesStampsServeTheOther) {
+  PoseFile timed = parse("0.5 " + kRows + "\n0.75 " + kRows + "\n"), plain = parse(kRows + "\n" + kRows + "\n");
+  PoseFile longer = parse(kRows + "\n" + kRows + "\n" + kRows + "\n");
+  share_stamps(longer, timed);
+  EXPECT_FALSE(longer.has_stamps);
+  share_stamps(plain, timed);
+  EXPECT_EQ(plain.content.trajectory[1].stamp_s, 0.75);
+  EXPECT_TRUE(plain.has_stamps);
+}
+
+}  // namespace
+}  // namespace augicp
