@@ -29,6 +29,21 @@ void expect_sound_grid(const CloudFile& file) {
   expect(std::size_t(next) == file.cloud.size(), "every point has its place");
 }
 
+void expect_sound_fields(const CloudFile& file) {
+  const std::size_t num_rows = file.grid ? file.grid->index.size() : file.cloud.size();
+  for (const PointField& field : file.fields.fields)
+    expect(field.values.size() == num_rows * field.row_bytes(), "a row of each field for each point or cell");
+}
+
+// The further columns change nothing else.
+void expect_fields_beside(const CloudFile& plain, const FileBytes& file, ReadOptions options) {
+  options.keep_fields = true;
+  const CloudFile kept = parse_cloud(file, options);
+  expect(plain.fields.fields.empty(), "no fields unless they are asked for");
+  expect(kept.cloud.points == plain.cloud.points, "the same points with and without their fields");
+  expect_sound_fields(kept);
+}
+
 bool is_refused(const FileBytes& file, const ReadOptions& options) {
   try {
     parse_cloud(file, options);
@@ -82,6 +97,7 @@ void check_cloud_reader(const std::filesystem::path& name, const std::uint8_t* d
   expect_read_or_refused(name, [&] {
     const CloudFile read = parse_cloud(file, options);
     expect_sound(read);
+    expect_fields_beside(read, file, options);
     ReadOptions fewer = options;
     fewer.max_points = read.report.num_declared - 1;
     expect(is_refused(file, fewer), "a cloud with more points than allowed is refused");

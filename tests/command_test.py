@@ -276,6 +276,35 @@ class CommandTest(unittest.TestCase):
         for words in (f"element vertex {points}", "property float nx", "property uchar red", "property uchar structure"):
             self.assertIn(words, header)
 
+    def test_columns_of_the_source_reach_the_output(self):
+        """Colour, ring and stamp of each point, float positions, and a row a point in the order of the file."""
+        points = list(binary_points(ROOM / "source.ply"))
+        rows = b"".join(struct.pack("<fffBBBHd", *point, i % 256, i % 7, 3, i % 64, 0.1 * i) for i, point in enumerate(points))
+        names = ("float x", "float y", "float z", "uchar red", "uchar green", "uchar blue", "ushort ring", "double stamp")
+        head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n" + "".join(f"property {n}\n" for n in names)
+        (self.folder / "s.ply").write_bytes(head.encode() + b"end_header\n" + rows)
+        moved = self.folder / "moved.ply"
+        finished = run("align", self.folder / "s.ply", ROOM / "target.ply", "--output", moved)
+        self.assertEqual((finished.returncode, finished.stderr), (0, ""))
+        written, body = moved.read_bytes().split(b"end_header\n", 1)
+        self.assertEqual(written.decode() + "end_header\n", head + "end_header\n")
+        given, found = struct.iter_unpack("<fffBBBHd", rows), struct.iter_unpack("<fffBBBHd", body)
+        self.assertTrue(all(a[3:] == b[3:] for a, b in zip(given, found, strict=True)))
+        finished = run("surface", self.folder / "s.ply", "--output", self.folder / "extended.ply")
+        self.assertEqual((finished.returncode, finished.stderr), (0, ""))
+        header = (self.folder / "extended.ply").read_bytes().split(b"end_header")[0].decode()
+        for name in ("uchar red", "ushort ring", "double stamp", "float nx", "float tangent_x"):
+            self.assertEqual(header.count(f"property {name}\n"), 1, name)
+
+    def test_what_an_output_cannot_keep_is_said(self):
+        grid = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 40\nHEIGHT 40\nDATA ascii\n"
+        grid += "".join(f"{i % 40} {i // 40} {(i % 40) ** 2 / 80}\n" for i in range(1600))
+        (self.folder / "grid.pcd").write_text(grid)
+        cloud = self.folder / "grid.pcd"
+        self.assertIn("not kept: the grid of 40 x 40", run("align", cloud, cloud, "--output", self.folder / "m.ply").stderr)
+        self.assertEqual(run("align", cloud, cloud, "--output", self.folder / "m.pcd").stderr, "")
+        self.assertIn(b"WIDTH 40\nHEIGHT 40\n", (self.folder / "m.pcd").read_bytes())
+
     def odometry(self, name, *words):
         """Runs odometry on the first images of the sample; gives the folder of its results."""
         output = self.folder / name

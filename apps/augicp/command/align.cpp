@@ -15,7 +15,6 @@
 #include "apps/augicp/page/align_page.h"
 #include "apps/augicp/text/align.h"
 #include "augicp/io/transform_file.h"
-#include "augicp/io/write_cloud.h"
 #include "augicp/registration/option_table.h"
 
 namespace augicp::app {
@@ -37,7 +36,7 @@ Rigid3 initial_pose(const std::string& argument) {
 struct AlignRun {
   AlignReport report;
   Rigid3 initial;
-  Cloud source_as_read;
+  CloudFile source_as_read;  // empty without --output
   PreparedPair prepared;
 };
 
@@ -50,8 +49,12 @@ AlignRun register_files(const AlignArguments& arguments) {
   const RegistrationOptions& options = report.options = arguments.registration;
   report.with_history = arguments.trace;
   const Stopwatch reading;
-  Scan source = read_input(arguments.source, arguments.input, arguments.source_image).scan;
-  run.source_as_read = source.cloud;
+  InputOptions with_fields = arguments.input;
+  with_fields.read.keep_fields = !arguments.output.empty();
+  Input read = read_input(arguments.source, with_fields, arguments.source_image);
+  Scan source = std::move(read.scan);
+  if (!arguments.output.empty())
+    run.source_as_read = {source.cloud, std::move(read.grid), std::move(read.report), std::move(read.fields)};
   Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
   report.timing_ms.read = reading.elapsed_ms();
   const Stopwatch preparing;
@@ -83,15 +86,15 @@ ExitCode exit_code_for(AlignStatus status) {
 int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd"});
-  const AlignRun run = register_files(arguments);
+  AlignRun run = register_files(arguments);
   const AlignReport& report = run.report;
   const Rigid3& pose = report.result.target_from_source;
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
   if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
   if (!arguments.output.empty()) {
-    const Cloud moved = transform(run.source_as_read, pose);
-    write_whole([&] { write_cloud(arguments.output, moved); });
+    run.source_as_read.cloud = transform(run.source_as_read.cloud, pose);
+    write_cloud_output(arguments.output, run.source_as_read, arguments.quiet);
   }
   if (!arguments.page.empty()) write_text_file(arguments.page, align_page({report, run.initial, run.prepared}));
   return exit_code_for(report.result.status);

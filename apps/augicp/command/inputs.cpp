@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "apps/augicp/command/interruption.h"
 #include "augicp/core/error.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_png.h"
 #include "augicp/io/grey_png.h"
 #include "augicp/io/read_cloud.h"
+#include "augicp/io/write_cloud.h"
 
 namespace augicp::app {
 namespace {
@@ -81,7 +83,14 @@ Input read_input(const std::filesystem::path& path, const InputOptions& options,
   CloudFile file = read_cloud(path, options.read);
   for (const std::string& warning : file.report.warnings)
     fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);
-  return {scan_of(std::move(file.cloud)), std::move(file.report)};
+  return {scan_of(std::move(file.cloud)), std::move(file.report), std::move(file.fields), std::move(file.grid)};
+}
+
+void write_cloud_output(const std::string& path, const CloudFile& file, bool quiet) {
+  std::vector<std::string> not_kept;
+  write_whole([&] { not_kept = write_cloud(path, file); });
+  for (const std::string& what : not_kept)
+    if (!quiet) fmt::print(stderr, "augicp: warning: {}: not kept: {}\n", path, what);
 }
 
 DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for) {

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,13 @@ struct InputOptions {
 
 void add_input_options(CLI::App& command, InputOptions& options);
 
+// A file that was read: the fields of CloudFile, with a scan in place of the cloud. Depth images have no grid: their
+// pixels are in the scan's view.
 struct Input {
   Scan scan;
   ReadReport report;
+  PointFields fields{};
+  std::optional<IndexImage> grid{};
 };
 
 // A depth image (.png) or a cloud. grey_path: an image registered to the depth image, or empty. Throws IoError, also if
@@ -31,6 +36,10 @@ struct Input {
 // image.
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path = {});
+
+// Writes a cloud with the fields of its input to .ply or .pcd, see write_cloud(). Parts of the input that the output
+// lacks become a warning on stderr each, unless it is to be quiet. Throws IoError.
+void write_cloud_output(const std::string& path, const CloudFile& file, bool quiet);
 
 // The given camera, see read_camera, or else the sequence's own. Throws std::invalid_argument if there is none, and
 // IoError if its file is damaged; folder is for the message.

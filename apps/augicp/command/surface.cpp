@@ -4,16 +4,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
-#include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
 #include "augicp/io/write_cloud.h"
 #include "augicp/registration/option_table.h"
 #include "augicp/registration/registration.h"
+#include "augicp/search/kd_tree.h"
 
 namespace augicp::app {
 namespace {
@@ -43,18 +44,54 @@ double percent(const Cloud& cloud, Structure structure) {
   return cloud.empty() ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(cloud.size());
 }
 
+// The fields of the point nearest to each point of the output, which is the mean of several.
+PointFields fields_of_nearest(const Cloud& output, const Cloud& input, const PointFields& fields) {
+  const KdTree tree(input);
+  std::vector<std::uint32_t> rows;
+  for (const Vec3f& point : output.points) {
+    const Vec3f query = (output.origin - input.origin + point.cast<double>()).cast<float>();
+    rows.push_back(tree.nearest(query, std::numeric_limits<float>::infinity()).value_or(Neighbour{}).index);
+  }
+  return select(fields, rows);
+}
+
+// The fields of the input, and the structure as colour unless they have a colour.
+PointFields output_fields(const Cloud& output, const Cloud& input, PointFields fields) {
+  if (!fields.fields.empty()) fields = fields_of_nearest(output, input, fields);
+  if (fields.find("red") || fields.find("rgb") || fields.find("rgba")) return fields;
+  std::vector<Colour> colours(output.size(), colour_of(Structure::None));
+  std::transform(output.structures.begin(), output.structures.end(), colours.begin(), colour_of);
+  for (PointField& channel : colour_fields(colours)) fields.fields.push_back(std::move(channel));
+  return fields;
+}
+
+// The fields of points alone: one a cell of a grid is of no use where points become fewer.
+PointFields fields_of_points(Input& input) {
+  if (!input.grid) return std::move(input.fields);
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < input.grid->index.size(); ++i)
+    if (input.grid->index[i] != IndexImage::kNone) rows.push_back(i);
+  PointFields fields = select(input.fields, rows);
+  fields.not_kept.push_back("the grid: the output has a point a voxel");
+  return fields;
+}
+
 int run_surface(const SurfaceArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply"});
-  Scan scan = read_input(arguments.input_file, arguments.input).scan;
+  InputOptions with_fields = arguments.input;
+  with_fields.read.keep_fields = true;
+  Input input = read_input(arguments.input_file, with_fields);
+  PointFields fields = fields_of_points(input);
+  Scan scan = std::move(input.scan);
   scan.cloud.directions.clear();  // the file's own directions are not used
   scan.cloud.structures.clear();
   const Lengths lengths = lengths_for(scan, scan, arguments.registration);
   if (!(lengths.radius > 0.0)) throw IoError(arguments.input_file + ": all points are equal, so there is no surface");
+  const Cloud as_read = scan.cloud;
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
-  std::vector<Colour> colours(cloud.size(), colour_of(Structure::None));
-  std::transform(cloud.structures.begin(), cloud.structures.end(), colours.begin(), colour_of);
-  write_whole([&] { write_ply(arguments.output, cloud, colours); });
+  write_cloud_output(arguments.output, {cloud, std::nullopt, {}, output_fields(cloud, as_read, std::move(fields))},
+                     arguments.quiet);
   if (!arguments.quiet)
     fmt::print("points   {}, ball radius {:.4g} m\nplanar   {:.1f} %\nedge     {:.1f} %\nnone     {:.1f} %\n",
                cloud.size(), lengths.radius, percent(cloud, Structure::Planar), percent(cloud, Structure::Edge),
@@ -74,7 +111,10 @@ void add_surface_command(CLI::App& app, int& exit_code) {
   add_input_options(*command, arguments->input);
   add_options(*command, arguments->registration, {"preset", "radius", "voxel_size", "threads"});
   command->footer(
-      "Colours: planar blue, edge orange, none grey. Normals point to the sensor if its position is known.\n"
+      "Normals are in nx ny nz and point to the sensor if its position is known; tangents of edges are in tangent_x\n"
+      "tangent_y tangent_z. Columns of the input are kept. Colours, unless the input has some: planar blue, edge "
+      "orange,\n"
+      "none grey.\n"
       "Examples:\n"
       "  augicp surface 000001.png --camera tum-fr1 --output extended.ply\n"
       "  augicp surface scan.ply --radius 0.05 --output extended.ply\n"

@@ -2,6 +2,18 @@
 #include "augicp/io/binary_points.h"
 
 namespace augicp {
+namespace {
+
+void append(const BinaryPoints& points, const BinaryColumn& column, std::size_t offset, PointField& field) {
+  const std::size_t size = num_bytes(field.type);
+  for (std::size_t k = 0; k < field.count; ++k) {
+    char number[8];
+    copy_scalar(points.bytes.data() + offset + k * size, column.type, points.order, number);
+    field.values.append(number, size);
+  }
+}
+
+}  // namespace
 
 void add_points(const BinaryPoints& points, CloudBuilder& builder) {
   PointValues values{};
@@ -10,9 +22,10 @@ void add_points(const BinaryPoints& points, CloudBuilder& builder) {
     for (std::size_t u = 0; u < points.row_length; ++u) {
       for (std::size_t role = 0; role < kNumRoles; ++role)
         if (const auto& column = points.columns[role])
-          values[role] = read_scalar(points.bytes.data() + column->offset + v * column->row_stride + u * column->stride,
-                                     column->type, points.order);
-      builder.add(values);
+          values[role] = read_scalar(points.bytes.data() + column->at(v, u), column->type, points.order);
+      if (!builder.add(values)) continue;
+      for (std::size_t i = 0; i < points.fields.size(); ++i)
+        append(points, points.fields[i], points.fields[i].at(v, u), builder.fields()[i]);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "augicp/io/cloud_builder.h"
 #include "augicp/io/scalar_type.h"
@@ -18,6 +19,8 @@ struct BinaryColumn {
   std::size_t stride = 0;
   std::size_t row_stride = 0;
   ScalarType type = ScalarType::Float32;
+
+  std::size_t at(std::size_t v, std::size_t u) const { return offset + v * row_stride + u * stride; }
 };
 
 // Points in memory, as consecutive records or columns. REQUIRES: bytes outlives this and contains every number that the
@@ -28,6 +31,7 @@ struct BinaryPoints {
   std::array<std::optional<BinaryColumn>, kNumRoles> columns;  // by role
   std::size_t num_rows = 1;
   std::size_t row_length = 0;
+  std::vector<BinaryColumn> fields{};  // the first number of each of PointTable::fields; its others follow it
 };
 
 void add_points(const BinaryPoints& points, CloudBuilder& builder);

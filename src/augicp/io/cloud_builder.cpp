@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "augicp/core/median.h"
 #include "augicp/io/format.h"
+#include "augicp/io/spread.h"
 
 namespace augicp {
 namespace {
@@ -22,31 +22,6 @@ bool is_usable(const Vec3d& position) {
 float intensity_of(double value) {
   const bool known = std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());  // NaN fails
   return known ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
-}
-
-// Medians of at most this many points, evenly spread over the file, suffice for an origin.
-constexpr std::size_t kMaxSample = 4096;
-
-// Medians are robust against the few points at zero or infinity that mean "no reading" in many files.
-struct Spread {
-  Vec3d centre = Vec3d::Zero();
-  double radius = 0.0;  // median distance from the centre, along the farthest axis
-};
-
-Spread spread_of(const std::vector<Vec3f>& points) {
-  const std::size_t step = (points.size() + kMaxSample - 1) / kMaxSample;
-  Spread spread;
-  std::vector<double> values;
-  for (int axis = 0; axis < 3; ++axis) {
-    values.clear();
-    for (std::size_t i = 0; i < points.size(); i += step) values.push_back(static_cast<double>(points[i][axis]));
-    spread.centre[axis] = upper_median(values);
-  }
-  values.clear();
-  for (std::size_t i = 0; i < points.size(); i += step)
-    values.push_back((points[i].cast<double>() - spread.centre).cwiseAbs().maxCoeff());
-  spread.radius = upper_median(values);
-  return spread;
 }
 
 }  // namespace
@@ -65,9 +40,12 @@ CloudBuilder::CloudBuilder(const PointTable& table, const Vec3d& origin)
   if (table.viewpoint) cloud.viewpoint = (*table.viewpoint - origin).cast<float>();
   file_.report.format = table.format;
   file_.report.has_normals = table.has_normals;
+  file_.fields.fields = table.fields;
+  dropped_.assign(table.fields.size(), false);
+  for (PointField& field : fields()) field.values.reserve(table.num_points * field.row_bytes());
 }
 
-void CloudBuilder::add(const PointValues& values) {
+bool CloudBuilder::add(const PointValues& values) {
   ++file_.report.num_declared;
   const Vec3d position(values[0], values[1], values[2]);
   const bool usable = is_usable(position);
@@ -75,34 +53,63 @@ void CloudBuilder::add(const PointValues& values) {
     places_.push_back(usable ? static_cast<std::int32_t>(file_.cloud.points.size()) : IndexImage::kNone);
   if (!usable) {
     ++file_.report.num_not_finite;
-    return;
+    return is_organised_;
   }
   file_.cloud.points.push_back((position - file_.cloud.origin).cast<float>());
   if (file_.report.has_normals) add_direction(values);
   if (has_intensities_) file_.cloud.intensities.push_back(intensity_of(values[7]));
+  return true;
+}
+
+void CloudBuilder::drop_field(std::size_t field, std::string sentence) {
+  file_.fields.not_kept.push_back(std::move(sentence));
+  dropped_[field] = true;
+  fields()[field].values = {};
 }
 
 void CloudBuilder::add_direction(const PointValues& values) {
   Cloud& cloud = file_.cloud;
-  const Vec3d normal(values[3], values[4], values[5]);
-  const double length = normal.norm();
-  const bool usable = std::isfinite(length) && length > 0.0 && values[6] != static_cast<double>(Structure::None);
-  Vec3f direction = usable ? Vec3f((normal / length).cast<float>()) : Vec3f(Vec3f::Zero());
   const bool is_edge = values[6] == static_cast<double>(Structure::Edge);
+  const Vec3d tangent(values[8], values[9], values[10]);
+  const Vec3d normal = is_edge && tangent.norm() > 0.0 ? tangent : Vec3d(values[3], values[4], values[5]);
+  const double length = normal.norm();
+  const bool has_structure = values[6] != static_cast<double>(Structure::None);
+  const bool usable = std::isfinite(length) && length > 0.0 && has_structure;
+  if (has_structure && !usable) ++num_bad_normals_;
+  Vec3f direction = usable ? Vec3f((normal / length).cast<float>()) : Vec3f(Vec3f::Zero());
   if (!is_edge && cloud.viewpoint && direction.dot(*cloud.viewpoint - cloud.points.back()) < 0.0f)
     direction = -direction;
   cloud.directions.push_back(direction);
   cloud.structures.push_back(!usable ? Structure::None : is_edge ? Structure::Edge : Structure::Planar);
 }
 
-// Float has 24 bits. Up to 8 times the cloud's radius from zero, its spacing is below a millionth of the radius, and no
-// origin is needed. The origin is rounded to a power of two near the radius, so that subtracting it is exact.
+// The origin is rounded to a power of two near the radius, so that subtracting it is exact.
 Vec3d CloudBuilder::suitable_origin() const {
-  constexpr double kFarInRadii = 8.0;
-  const Spread spread = spread_of(file_.cloud.points);
-  if (spread.centre.cwiseAbs().maxCoeff() <= kFarInRadii * spread.radius) return Vec3d::Zero();
+  const std::vector<Vec3f>& points = file_.cloud.points;
+  const Spread spread = spread_of(points.size(), [&](std::size_t i) { return Vec3d(points[i].cast<double>()); });
+  if (float_suffices(spread)) return Vec3d::Zero();
   const double quantum = spread.radius > 0.0 ? std::exp2(std::floor(std::log2(spread.radius))) : 1.0;
   return (spread.centre / quantum).array().round().matrix() * quantum;
+}
+
+CloudFile CloudBuilder::finished(int width) {
+  if (width > 0) {
+    file_.grid.emplace();
+    file_.grid->width = width;
+    file_.grid->height = static_cast<int>(places_.size() / static_cast<std::size_t>(width));
+    file_.grid->index = std::move(places_);
+  }
+  if (num_bad_normals_ > 0 && num_bad_normals_ == file_.cloud.size()) {
+    file_.cloud.directions.clear();
+    file_.cloud.structures.clear();
+    file_.report.has_normals = false;
+    file_.report.warnings.push_back("no normal is of any length: they are not used");
+  }
+  std::vector<PointField> kept;
+  for (std::size_t i = 0; i < fields().size(); ++i)
+    if (!dropped_[i]) kept.push_back(std::move(fields()[i]));
+  fields() = std::move(kept);
+  return std::move(file_);
 }
 
 CloudFile build_any_cloud(const PointTable& table, const std::function<void(CloudBuilder&)>& decode_points) {
@@ -113,14 +120,7 @@ CloudFile build_any_cloud(const PointTable& table, const std::function<void(Clou
     builder.emplace(table, origin);
     decode_points(*builder);
   }
-  CloudFile built = std::move(builder->file_);
-  if (table.width > 0) {
-    built.grid.emplace();
-    built.grid->width = table.width;
-    built.grid->height = static_cast<int>(builder->places_.size() / static_cast<std::size_t>(table.width));
-    built.grid->index = std::move(builder->places_);
-  }
-  return built;
+  return builder->finished(table.width);
 }
 
 CloudFile build_cloud(const FileBytes& file, const PointTable& table,

@@ -8,6 +8,7 @@
 
 #include "augicp/cloud/cloud.h"
 #include "augicp/cloud/index_image.h"
+#include "augicp/io/point_fields.h"
 
 namespace augicp {
 
@@ -17,6 +18,10 @@ struct ReadOptions {
   // Numbers per point in a .bin file, each a float32: 4 as in KITTI (x y z intensity), or 3 for positions alone. The
   // file does not state it.
   int num_bin_columns = 4;
+
+  // Whether columns beside the cloud's own are kept, in CloudFile::fields. They take as much memory as in a binary
+  // file.
+  bool keep_fields = false;
 };
 
 struct ReadReport {
@@ -31,12 +36,14 @@ struct ReadReport {
 //
 // Coordinates are read as double and stored relative to cloud.origin. The origin is zero unless the cloud is more than
 // 8 times farther from zero than its points are from each other. Normals become unit directions of Structure::Planar,
-// oriented to the viewpoint if there is one. Without a usable normal the structure is None. A column intensity or
-// scalar_intensity, in either case, and KITTI's fourth number become intensities; NaN if they are not finite.
+// oriented to the viewpoint if there is one. Without a usable normal the structure is None; if no point has a usable
+// one, the cloud has no directions, with a warning. A column intensity or scalar_intensity, in either case, and KITTI's
+// fourth number become intensities; NaN if they are not finite.
 struct CloudFile {
   Cloud cloud;                     // never empty, every point finite
   std::optional<IndexImage> grid;  // organised files (several rows): the point in each pixel
   ReadReport report;
+  PointFields fields{};  // only with ReadOptions::keep_fields; the intensities are here too, with their type
 };
 
 }  // namespace augicp

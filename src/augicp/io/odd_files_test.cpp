@@ -79,7 +79,7 @@ constexpr OddFile kOddFiles[] = {
     {"trimesh/ply_empty_bin.ply", 0, "holds no points"},
     {"trimesh/ply_empty_header.ply", 0, "expected an element 'vertex', found none"},
     {"trimesh/ply_points_ascii.ply", 8, ""},
-    {"trimesh/ply_points_bin.ply", 8, ""},
+    {"trimesh/ply_points_bin.ply", 8, "no normal is of any length"},
     {"trimesh/points_ascii.ply", 5, ""},
     {"trimesh/points_ascii_with_lists.ply", 5, ""},
     {"trimesh/points_bin.ply", 5, ""},

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include <algorithm>
 #include <string_view>
 
@@ -9,7 +8,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kIntensity = 7;
+constexpr std::size_t kNormal = 3, kStructure = 6, kIntensity = 7, kTangent = 8;
 
 struct RoleName {
   std::string_view name;
@@ -27,19 +26,18 @@ constexpr RoleName kRoleNames[] = {{"x", 0},
                                    {"normal_z", 5},
                                    {"structure", 6},
                                    {"intensity", kIntensity},
-                                   {"scalar_intensity", kIntensity}};
+                                   {"scalar_intensity", kIntensity},
+                                   {"tangent_x", kTangent},
+                                   {"tangent_y", kTangent + 1},
+                                   {"tangent_z", kTangent + 2}};
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');  // not tolower: it depends on the locale
-  return lower;
+void drop_vector(PointColumns& columns, std::size_t first_role) {
+  for (std::size_t axis = 0; axis < 3; ++axis) columns.of_role[first_role + axis] = kNoColumn;
 }
 
-void drop_partial_normals(PointColumns& columns) {
-  const auto normal = std::span(columns.of_role).subspan(3, 3);
-  if (std::find(normal.begin(), normal.end(), kNoColumn) != normal.end())
-    std::fill(normal.begin(), normal.end(), kNoColumn);
+void drop_partial_vector(PointColumns& columns, std::size_t first_role) {
+  const auto roles = std::span(columns.of_role).subspan(first_role, 3);
+  if (std::find(roles.begin(), roles.end(), kNoColumn) != roles.end()) drop_vector(columns, first_role);
 }
 
 }  // namespace
@@ -59,8 +57,16 @@ PointColumns find_columns(const std::filesystem::path& path, std::span<const std
   for (std::size_t role = 0; role < 3; ++role)
     if (columns.of_role[role] == kNoColumn)
       throw io_error(path, fmt::format("expected a column '{}', found none", kRoleNames[role].name));
-  drop_partial_normals(columns);
+  drop_partial_vector(columns, kNormal);
+  drop_partial_vector(columns, kTangent);
+  if (!columns.has_normals()) columns.of_role[kStructure] = kNoColumn;
+  if (columns.of_role[kStructure] == kNoColumn) drop_vector(columns, kTangent);
   return columns;
+}
+
+bool PointColumns::is_field(std::size_t column) const {
+  const auto role = static_cast<std::size_t>(std::find(of_role.begin(), of_role.end(), column) - of_role.begin());
+  return role == kNumRoles || role == kIntensity;
 }
 
 }  // namespace augicp

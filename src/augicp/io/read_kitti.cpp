@@ -43,6 +43,10 @@ CloudFile parse_kitti(const FileBytes& file, const ReadOptions& options) {
     table.viewpoint = Vec3d::Zero();
     table.has_intensities = true;
     points.columns[7] = {3 * kNumberBytes, stride, 0, ScalarType::Float32};
+    if (options.keep_fields) {
+      table.fields = {{"intensity", ScalarType::Float32, 1, {}}};
+      points.fields = {*points.columns[7]};
+    }
   }
   return build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
 }

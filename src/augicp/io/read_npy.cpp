@@ -50,6 +50,10 @@ std::string_view value_of(const FileBytes& file, std::string_view header, std::s
   return trimmed(rest);
 }
 
+// The numbers that a point has in arrays that people write: position, normal, colour or intensity. More columns of
+// three or four rows are coordinates as rows, homogeneous or not.
+constexpr std::uint64_t kMostNumbers = 8;
+
 std::vector<std::uint64_t> shape_of(const FileBytes& file, std::string_view value) {
   const auto fail = [&] {
     return io_error_at_byte(file.path, 10, "expected the shape (N, 3) or (H, W, 3), found " + in_quotes(value));
@@ -64,8 +68,7 @@ std::vector<std::uint64_t> shape_of(const FileBytes& file, std::string_view valu
     shape.push_back(*side);
   }
   if (shape.size() < 2 || shape.back() < 3) throw fail();
-  // Three or four rows, and more columns than a point has numbers: coordinates as rows, homogeneous or not.
-  if (shape.size() == 2 && (shape[0] == 3 || shape[0] == 4) && shape[1] > kNumRoles)
+  if (shape.size() == 2 && (shape[0] == 3 || shape[0] == 4) && shape[1] > kMostNumbers)
     throw io_error_at_byte(
         file.path, 10,
         fmt::format("expected the shape (N, 3), found {}: is it transposed?", in_quotes(value.substr(0, end + 1))));
@@ -115,13 +118,19 @@ CloudFile parse_npy(const FileBytes& file, const ReadOptions& options) {
   check_num_points(file.path, num_rows * row_length, options);
 
   BinaryPoints points{file.bytes, header.order, {}, num_rows, row_length};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    points.columns[axis] = header.is_fortran ? BinaryColumn{header.body_offset + axis * num_rows * row_length * item,
-                                                            num_rows * item, item, header.type}
-                                             : BinaryColumn{header.body_offset + axis * item, num_columns * item,
-                                                            row_length * num_columns * item, header.type};
+  const auto column_at = [&](std::size_t column) {
+    return header.is_fortran ? BinaryColumn{header.body_offset + column * num_rows * row_length * item, num_rows * item,
+                                            item, header.type}
+                             : BinaryColumn{header.body_offset + column * item, num_columns * item,
+                                            row_length * num_columns * item, header.type};
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) points.columns[axis] = column_at(axis);
   const int width = header.shape.size() == 3 ? static_cast<int>(row_length) : 0;
-  const PointTable table{"npy", num_rows * row_length, false, width, std::nullopt};
+  PointTable table{"npy", num_rows * row_length, false, width, std::nullopt};
+  for (std::size_t column = 3; column < num_columns && options.keep_fields; ++column) {
+    table.fields.push_back({fmt::format("column_{}", column + 1), header.type, 1, {}});
+    points.fields.push_back(column_at(column));
+  }
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
   if (const std::uint64_t excess = file.bytes.size() - header.body_offset - num_items * item; excess > 0)
     read.report.warnings.push_back(fmt::format("{} bytes after the array were not read", excess));

@@ -30,12 +30,25 @@ PointColumns point_columns(const FileBytes& file, const PcdHeader& header) {
   return columns;
 }
 
+bool is_field(const PcdHeader& header, const PointColumns& columns, std::size_t field) {
+  return columns.is_field(field) && !header.fields[field].is_padding();
+}
+
+std::vector<PointField> declared_fields(const PcdHeader& header, const PointColumns& columns) {
+  std::vector<PointField> declared;
+  for (std::size_t i = 0; i < header.fields.size(); ++i)
+    if (const PcdField& field = header.fields[i]; is_field(header, columns, i))
+      declared.push_back({field.name, field.type, field.count, {}});
+  return declared;
+}
+
 CloudFile read_ascii(const FileBytes& file, const PcdHeader& header, PointColumns columns, const PointTable& table) {
   // A field of several numbers has one column of text per number.
   std::vector<std::size_t> first_column;
   std::size_t num_columns = 0;
   for (const PcdField& field : header.fields)
     first_column.push_back(std::exchange(num_columns, num_columns + field.count));
+  const PointColumns fields_of_roles = columns;
   for (std::size_t& column : columns.of_role)
     if (column != kNoColumn) column = first_column[column];
 
@@ -44,7 +57,9 @@ CloudFile read_ascii(const FileBytes& file, const PcdHeader& header, PointColumn
   const TextLines lines(body);
   TextLines behind = lines;
   const char separator = separator_of(behind.next_not_blank().value_or(""));
-  const TextPoints points{columns, num_columns, separator, true, header.num_points};
+  TextPoints points{columns, num_columns, separator, true, header.num_points};
+  for (std::size_t i = 0; i < header.fields.size() && !table.fields.empty(); ++i)
+    if (is_field(header, fields_of_roles, i)) points.fields.push_back(first_column[i]);
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) {
     behind = lines;
     add_points(file, points, behind, header.num_lines, builder);
@@ -77,6 +92,8 @@ CloudFile read_binary(const FileBytes& file, const PcdHeader& header, const Poin
     const PcdField& field = header.fields[column];
     for (std::size_t role = 0; role < kNumRoles; ++role)
       if (columns.of_role[role] == column) points.columns[role] = {offset, stride, stride * header.width, field.type};
+    if (!table.fields.empty() && is_field(header, columns, column))
+      points.fields.push_back({offset, stride, stride * header.width, field.type});
     offset += field.bytes();
   }
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
@@ -131,6 +148,8 @@ CloudFile read_compressed(const FileBytes& file, const PcdHeader& header, const 
     for (std::size_t role = 0; role < kNumRoles; ++role)
       if (columns.of_role[role] == column)
         points.columns[role] = {offset, field.bytes(), field.bytes() * header.width, field.type};
+    if (!table.fields.empty() && is_field(header, columns, column))
+      points.fields.push_back({offset, field.bytes(), field.bytes() * header.width, field.type});
     if (header.num_points > (kMaxBytes - offset) / field.bytes()) throw cut_short(file, header.num_points);
     offset += field.bytes() * header.num_points;
   }
@@ -149,6 +168,7 @@ CloudFile parse_pcd(const FileBytes& file, const ReadOptions& options) {
   const PointColumns columns = point_columns(file, header);
   PointTable table{"pcd ascii", header.num_points, columns.has_normals(),
                    0,           header.viewpoint,  columns.has_intensities()};
+  if (options.keep_fields) table.fields = declared_fields(header, columns);
   if (header.height > 1) table.width = static_cast<int>(header.width);
   if (header.encoding == PcdEncoding::Ascii) return read_ascii(file, header, columns, table);
   table.format = header.encoding == PcdEncoding::Binary ? "pcd binary" : "pcd binary_compressed";

@@ -59,12 +59,13 @@ std::uint64_t skip_binary(const FileBytes& file, const PlyElement& element, std:
 }
 
 BinaryPoints binary_points(const FileBytes& file, const PlyElement& vertex, const PointColumns& columns,
-                           std::uint64_t offset, ByteOrder order) {
+                           std::uint64_t offset, ByteOrder order, bool with_fields) {
   BinaryPoints points{file.bytes, order, {}, 1, vertex.count};
   for (std::size_t column = 0; column < vertex.properties.size(); ++column) {
     const ScalarType type = vertex.properties[column].type;
     for (std::size_t role = 0; role < kNumRoles; ++role)
       if (columns.of_role[role] == column) points.columns[role] = {offset, vertex.stride(), 0, type};
+    if (with_fields && columns.is_field(column)) points.fields.push_back({offset, vertex.stride(), 0, type});
     offset += num_bytes(type);
   }
   return points;
@@ -79,7 +80,7 @@ CloudFile read_binary(const FileBytes& file, const PlyHeader& header, Elements b
   offset = skip_binary(file, vertex, begin, order);
   for (const PlyElement& element : after) offset = skip_binary(file, element, offset, order);
 
-  const BinaryPoints points = binary_points(file, vertex, columns, begin, order);
+  const BinaryPoints points = binary_points(file, vertex, columns, begin, order, !table.fields.empty());
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) { add_points(points, builder); });
   if (const std::uint64_t excess = file.bytes.size() - offset; excess > 0)
     read.report.warnings.push_back(fmt::format("{} bytes after the declared elements were not read", excess));
@@ -132,7 +133,9 @@ CloudFile read_text(const FileBytes& file, const PlyHeader& header, Elements bef
   check_text_size(file, header, vertex);
   TextLines lines(std::string_view(file.bytes).substr(header.body_offset));
   skip_text(file, header, before, lines);
-  const TextPoints points{columns, vertex.properties.size(), ' ', false, vertex.count};
+  TextPoints points{columns, vertex.properties.size(), ' ', false, vertex.count};
+  for (std::size_t i = 0; i < vertex.properties.size() && !table.fields.empty(); ++i)
+    if (columns.is_field(i)) points.fields.push_back(i);
   TextLines behind = lines;
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) {
     behind = lines;
@@ -151,6 +154,21 @@ void check_no_lists(const FileBytes& file, const PlyElement& vertex) {
                                             in_quotes(property.name)));
 }
 
+std::vector<PointField> declared_fields(const PlyElement& vertex, const PointColumns& columns) {
+  std::vector<PointField> fields;
+  for (std::size_t i = 0; i < vertex.properties.size(); ++i)
+    if (columns.is_field(i)) fields.push_back({vertex.properties[i].name, vertex.properties[i].type, 1, {}});
+  return fields;
+}
+
+std::vector<std::string> other_elements(Elements elements) {
+  std::vector<std::string> sentences;
+  for (const PlyElement& element : elements)
+    if (element.name != "vertex" && element.count > 0 && !element.properties.empty())
+      sentences.push_back(fmt::format("the {} records of element {}", element.count, in_quotes(element.name)));
+  return sentences;
+}
+
 }  // namespace
 
 CloudFile parse_ply(const FileBytes& file, const ReadOptions& options) {
@@ -167,9 +185,15 @@ CloudFile parse_ply(const FileBytes& file, const ReadOptions& options) {
 
   const Elements before(elements.begin(), vertex), after(std::next(vertex), elements.end());
   PointTable table{"ply ascii", vertex->count, columns.has_normals(), 0, std::nullopt, columns.has_intensities()};
-  if (header.encoding == PlyEncoding::Ascii) return read_text(file, header, before, *vertex, after, columns, table);
-  table.format = byte_order(header) == ByteOrder::Big ? "ply binary_big_endian" : "ply binary_little_endian";
-  return read_binary(file, header, before, *vertex, after, columns, table);
+  if (options.keep_fields) table.fields = declared_fields(*vertex, columns);
+  const bool is_text = header.encoding == PlyEncoding::Ascii;
+  if (!is_text)
+    table.format = byte_order(header) == ByteOrder::Big ? "ply binary_big_endian" : "ply binary_little_endian";
+  CloudFile read = is_text ? read_text(file, header, before, *vertex, after, columns, table)
+                           : read_binary(file, header, before, *vertex, after, columns, table);
+  if (options.keep_fields)
+    for (std::string& what : other_elements(elements)) read.fields.not_kept.push_back(std::move(what));
+  return read;
 }
 
 }  // namespace augicp

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "augicp/io/field_text.h"
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/text_points.h"
@@ -20,6 +21,8 @@ struct Layout {
   TextPoints points;
   std::optional<std::uint64_t> declared;
   TextLines lines;
+  std::vector<std::string> names{};  // of the columns, if the file has some
+  std::size_t num_numbers = 0;       // in the line of the first point
 };
 
 // The name without the quotes that spreadsheets put around it.
@@ -56,19 +59,18 @@ bool name_positions(std::span<const std::string> names) {
   });
 }
 
-// Columns that a comment before the first point names, as in "# r g b x y z". Without such a comment a point begins
-// with x y z. Throws IoError where the names are not as many as the numbers and contradict that.
-PointColumns columns_of_comment(const FileBytes& file, std::string_view comment, std::string_view first_point) {
-  PointColumns columns;
-  for (std::size_t axis = 0; axis < 3; ++axis) columns.of_role[axis] = axis;
-  const std::vector<std::string> names = column_names(comment);
-  if (!name_positions(names)) return columns;
+// The columns that a comment before the first point names, as in "# r g b x y z"; empty where it names no positions, or
+// another number of columns than the point has. Throws IoError where that contradicts positions in front.
+std::vector<std::string> names_in_comment(const FileBytes& file, std::string_view comment, std::size_t num_numbers) {
+  std::vector<std::string> names = column_names(comment);
+  if (!name_positions(names)) return {};
+  if (names.size() == num_numbers) return names;
   const PointColumns named = find_columns(file.path, names);
-  const std::size_t num_numbers = num_fields(first_point, separator_of(first_point));
-  if (names.size() == num_numbers) return named;
-  if (std::equal(columns.of_role.begin(), columns.of_role.begin() + 3, named.of_role.begin())) return columns;
-  throw io_error(file.path, fmt::format("the comment {} names {} columns, the first point has {} numbers",
-                                        in_quotes(comment), names.size(), num_numbers));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (named.of_role[axis] != axis)
+      throw io_error(file.path, fmt::format("the comment {} names {} columns, the first point has {} numbers",
+                                            in_quotes(comment), names.size(), num_numbers));
+  return {};
 }
 
 // A line that states the number of points, as CloudCompare and .pts files have it.
@@ -84,6 +86,14 @@ bool begins_with_a_number(std::string_view line) {
   return parse_double(next_field(rest, separator_of(line)).value_or("")).has_value();
 }
 
+// Without names a point begins with x y z.
+PointColumns columns_of(const FileBytes& file, const std::vector<std::string>& names, bool has_header) {
+  if (has_header || !names.empty()) return find_columns(file.path, names);
+  PointColumns columns;
+  for (std::size_t axis = 0; axis < 3; ++axis) columns.of_role[axis] = axis;
+  return columns;
+}
+
 Layout layout_of(const FileBytes& file) {
   Layout layout{{}, std::nullopt, TextLines(without_bom(file.bytes))};
   layout.points.has_comments = true;
@@ -95,7 +105,7 @@ Layout layout_of(const FileBytes& file) {
   };
   const bool has_header = !line.empty() && !begins_with_a_number(line);
   if (has_header) {
-    layout.points.columns = find_columns(file.path, column_names(line));
+    layout.names = column_names(line);
     take_line();
   }
   layout.declared = count_of(line);
@@ -103,9 +113,22 @@ Layout layout_of(const FileBytes& file) {
     layout.points.num_points = *layout.declared;
     take_line();
   }
-  if (!has_header) layout.points.columns = columns_of_comment(file, comment, line);
   layout.points.separator = separator_of(line);
+  layout.num_numbers = num_fields(line, layout.points.separator);
+  if (!has_header) layout.names = names_in_comment(file, comment, layout.num_numbers);
+  layout.points.columns = columns_of(file, layout.names, has_header);
   return layout;
+}
+
+// The columns beside the cloud's own, by number where they have no name.
+void add_fields(Layout& layout, PointTable& table) {
+  layout.points.has_types = false;
+  for (std::size_t column = 0; column < layout.num_numbers; ++column) {
+    if (!layout.points.columns.is_field(column)) continue;
+    const std::string name = column < layout.names.size() ? layout.names[column] : fmt::format("column_{}", column + 1);
+    table.fields.push_back({name, ScalarType::Int64, 1, {}});
+    layout.points.fields.push_back(column);
+  }
 }
 
 // The shortest line of a point is "0 0 0" and a line end.
@@ -119,7 +142,7 @@ std::uint64_t most_points(std::string_view text) {
 
 CloudFile parse_xyz(const FileBytes& file, const ReadOptions& options) {
   check_is_text(file);
-  const Layout layout = layout_of(file);
+  Layout layout = layout_of(file);
   const std::uint64_t most = most_points(file.bytes);
   if (layout.declared) {
     check_num_points(file.path, *layout.declared, options);
@@ -128,13 +151,15 @@ CloudFile parse_xyz(const FileBytes& file, const ReadOptions& options) {
   } else if (most > options.max_points) {
     throw io_error(file.path, fmt::format("expected at most {} points, found {} lines", options.max_points, most));
   }
-  const PointTable table{"xyz text",   layout.declared.value_or(most),         layout.points.columns.has_normals(), 0,
-                         std::nullopt, layout.points.columns.has_intensities()};
+  PointTable table{"xyz text",   layout.declared.value_or(most),         layout.points.columns.has_normals(), 0,
+                   std::nullopt, layout.points.columns.has_intensities()};
+  if (options.keep_fields) add_fields(layout, table);
   TextLines behind = layout.lines;
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) {
     behind = layout.lines;
     add_points(file, layout.points, behind, 0, builder);
   });
+  for (PointField& field : read.fields.fields) field = narrowed(std::move(field));
   if (!next_content(behind).empty()) read.report.warnings.push_back("lines after the declared points were not read");
   if (!ends_with_a_line_end(file.bytes)) read.report.warnings.push_back(kNoLineEndWarning);
   return read;

@@ -3,17 +3,17 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cstring>
 
 namespace augicp {
 namespace {
 
+constexpr ByteOrder kNative = std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
+
 template <typename T>
 double read_as(const char* bytes, ByteOrder order) {
   char native[sizeof(T)];
   std::memcpy(native, bytes, sizeof(T));
-  constexpr ByteOrder kNative = std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
   if (order != kNative) std::reverse(native, native + sizeof(T));
   T value;
   std::memcpy(&value, native, sizeof(T));
@@ -28,30 +28,13 @@ std::size_t num_bytes(ScalarType type) {
 }
 
 double read_scalar(const char* bytes, ScalarType type, ByteOrder order) {
-  switch (type) {
-    case ScalarType::Int8:
-      return read_as<std::int8_t>(bytes, order);
-    case ScalarType::Uint8:
-      return read_as<std::uint8_t>(bytes, order);
-    case ScalarType::Int16:
-      return read_as<std::int16_t>(bytes, order);
-    case ScalarType::Uint16:
-      return read_as<std::uint16_t>(bytes, order);
-    case ScalarType::Int32:
-      return read_as<std::int32_t>(bytes, order);
-    case ScalarType::Uint32:
-      return read_as<std::uint32_t>(bytes, order);
-    case ScalarType::Int64:
-      return read_as<std::int64_t>(bytes, order);
-    case ScalarType::Uint64:
-      return read_as<std::uint64_t>(bytes, order);
-    case ScalarType::Float32:
-      return read_as<float>(bytes, order);
-    case ScalarType::Float64:
-      return read_as<double>(bytes, order);
-  }
-  assert(false);
-  return 0.0;
+  return with_type(type, [&](auto zero) { return read_as<decltype(zero)>(bytes, order); });
+}
+
+void copy_scalar(const char* bytes, ScalarType type, ByteOrder order, char* native) {
+  const std::size_t size = num_bytes(type);
+  std::memcpy(native, bytes, size);
+  if (order != kNative) std::reverse(native, native + size);
 }
 
 }  // namespace augicp

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "augicp/io/field_text.h"
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 
@@ -29,6 +30,28 @@ class LineParser {
     values_[6] = static_cast<double>(Structure::Planar);  // a normal without a structure belongs to a plane
   }
 
+  // Adds the point of the line, and its fields.
+  void add(std::string_view line, std::uint64_t number, CloudBuilder& builder) {
+    if (!builder.add(parse(line, number)) || points_.fields.empty()) return;
+    cells_.clear();
+    std::string_view rest = line;
+    while (const auto cell = next_field(rest, points_.separator)) cells_.push_back(*cell);
+    for (std::size_t i = 0; i < points_.fields.size(); ++i) add_field(i, number, builder);
+  }
+
+ private:
+  void add_field(std::size_t index, std::uint64_t number, CloudBuilder& builder) const {
+    if (builder.is_dropped(index)) return;
+    PointField& field = builder.fields()[index];
+    for (std::size_t k = 0; k < field.count; ++k) {
+      const std::size_t column = points_.fields[index] + k;
+      const std::string_view cell = column < cells_.size() ? cells_[column] : "";
+      if (points_.has_types ? append_number(field, cell) : append_untyped_number(field, cell)) continue;
+      return builder.drop_field(
+          index, fmt::format("column {} has {} in line {}, no number", in_quotes(field.name), in_quotes(cell), number));
+    }
+  }
+
   const PointValues& parse(std::string_view line, std::uint64_t number) {
     std::size_t column = 0;
     std::string_view rest = line;
@@ -50,11 +73,11 @@ class LineParser {
     return values_;
   }
 
- private:
   const FileBytes& file_;
   const TextPoints& points_;
   std::vector<std::size_t> roles_;  // by column
   PointValues values_{};
+  std::vector<std::string_view> cells_;
 };
 
 }  // namespace
@@ -68,7 +91,7 @@ void add_points(const FileBytes& file, const TextPoints& points, TextLines& line
     if (!line && all) return;
     if (!line) throw io_error(file.path, fmt::format("expected {} points, found {}", points.num_points, i));
     if (points.has_comments && trimmed(*line).starts_with('#')) continue;
-    builder.add(parser.parse(*line, lines_before + lines.line()));
+    parser.add(*line, lines_before + lines.line(), builder);
     ++i;
   }
 }

@@ -18,6 +18,9 @@ struct TextPoints {
   char separator = ' ';
   bool has_comments = false;                                             // lines that start with '#'
   std::uint64_t num_points = std::numeric_limits<std::uint64_t>::max();  // max: all lines
+
+  std::vector<std::size_t> fields{};  // the first column of each of PointTable::fields; its others follow it
+  bool has_types = true;              // whether the file states the types of its fields; else they begin as Int64
 };
 
 // Adds the points of the next num_points lines; lines then stands behind the last of them. lines_before is the number
