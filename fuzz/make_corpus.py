@@ -83,9 +83,44 @@ def npy_files():
     yield "grid", npy(numpy.resize(POINTS, (2, 3, 4)))
 
 
+LAS_SIZES = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
+
+
+def las(minor, point_format, count=3, extra=b"", evlrs=b"", legacy=None):
+    """Points whose records have another byte everywhere, behind the description of extra bytes if there are some."""
+    size, length = (227, 227, 227, 235, 375)[minor], LAS_SIZES[point_format] + len(extra)
+    vlr = b""
+    if extra:
+        vlr = struct.pack("<H16sHH32s", 0, b"LASF_Spec", 4, 192, b"") + struct.pack("<2xBB32s156x", 6, 8, b"height")
+    head = bytearray(size)
+    head[:4], head[24:26] = b"LASF", bytes((1, minor))
+    struct.pack_into("<HIIBHI", head, 94, size, size + len(vlr), bool(vlr), point_format, length, count if legacy is None else legacy)
+    struct.pack_into("<6d", head, 131, 0.01, 0.01, 0.001, 5e5, 4e6, 0)
+    records = b"".join(struct.pack("<iii", 100 * i, -50 * i * i, 7 * i) + bytes((31 * i + k) % 256 for k in range(length - 12)) for i in range(count))
+    if minor == 4:
+        struct.pack_into("<QIQ", head, 235, size + len(vlr) + len(records) if evlrs else 0, bool(evlrs), count)
+    return bytes(head) + vlr + records + evlrs
+
+
+def las_files():
+    yield "1.0-0", las(0, 0)
+    yield "1.2-3", las(2, 3)
+    yield "1.3-5", las(3, 5)
+    yield "1.4-7-extra", las(4, 7, extra=b"abcd", legacy=0)
+    yield "1.4-6-evlr", las(4, 6, evlrs=struct.pack("<H16sHQ32s", 0, b"text", 7, 5, b"") + b"12345")
+    yield "1.4-10", las(4, 10, 2)
+    yield "undescribed", las(1, 1, extra=b"xy")[:-2] + b"zz"
+    compressed = bytearray(las(2, 1))
+    compressed[104] |= 0x80
+    yield "compressed", bytes(compressed)
+
+
 def kitti_files():
     sweep = numpy.hstack([POINTS[:6], numpy.arange(6, dtype="f4")[:, None] / 6])
     yield "sweep", sweep.tobytes()
+    for columns in (5, 6):
+        more = numpy.arange(6 * (columns - 3), dtype="f4").reshape(6, -1)
+        yield f"columns-{columns}", numpy.hstack([POINTS[:6], more]).tobytes()
     yield "bare", POINTS[:5].tobytes()
     sweep[1, 0] = numpy.nan
     sweep[2, 3] = numpy.inf
@@ -158,7 +193,7 @@ def align_files():
     yield "outlier", bytes((1, 200, 2, 0x40)) + guess + POINTS.tobytes() + struct.pack("<3f", 1e17, 0, 0) + POINTS.tobytes()
 
 
-FILES = {"ply": ply_files, "pcd": pcd_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files,
+FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files,
          "grey_png": grey_png_files, "sequence": sequence_files, "align": align_files,
          "xyz": corpus_texts.XYZ.items, "image_list": corpus_texts.IMAGE_LIST.items, "trajectory": corpus_texts.TRAJECTORY.items,
          "transform": corpus_texts.TRANSFORM.items, "camera": corpus_texts.CAMERA.items,

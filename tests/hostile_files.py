@@ -20,12 +20,13 @@ import sys
 import time
 
 import hostile_command
+import hostile_las
 import hostile_mutations
 import hostile_oracles
 import hostile_small_oracles as small
 
 CORPUS = pathlib.Path(__file__).parent.parent / "fuzz" / "corpus"
-KINDS = {"ply": (".ply", hostile_oracles.ply), "pcd": (".pcd", hostile_oracles.pcd), "xyz": (".csv", hostile_oracles.xyz),
+KINDS = {"ply": (".ply", hostile_oracles.ply), "pcd": (".pcd", hostile_oracles.pcd), "las": (".las", hostile_las.las), "xyz": (".csv", hostile_oracles.xyz),
          "npy": (".npy", hostile_oracles.npy), "kitti": (".bin", hostile_oracles.kitti), "depth_png": (".depth_png", small.depth_png),
          "grey_png": (".grey_png", small.grey_png), "trajectory": (".trajectory", small.trajectory),
          "image_list": (".image_list", small.image_list), "transform": (".transform", small.transform),

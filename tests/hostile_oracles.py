@@ -297,8 +297,13 @@ def xyz(data):
 
 
 def kitti(data):
-    require(data and len(data) % 16 == 0)
-    return holds_of([point[:3] for point in struct.iter_unpack("<4f", data)])
+    require(data)
+    possible = []
+    for columns in (4, 5, 6):
+        if len(data) % (4 * columns) == 0:
+            points = list(struct.iter_unpack(f"<{columns}f", data))
+            possible += [points] if not any(x < 0 for point in points for x in point[3:]) else []
+    return holds_of([point[:3] for point in possible[0]], len(possible) > 1)
 
 
 def npy(data):

@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReadDoc =
-    R"(The Cloud in a file: .ply, .pcd, .xyz .txt .csv .pts, KITTI's .bin, .npy, or a 16-bit depth .png.
+    R"(The Cloud in a file: .ply, .pcd, .las, .laz (with laspy), .xyz .txt .csv .pts, KITTI's .bin, .npy, or a 16-bit depth .png.
 
 camera, depth_scale: of a depth image, which needs both; see Cloud.from_depth.
-bin_columns: numbers a point in a .bin file, 4 (x y z intensity) or 3. max_points: files with more are refused.
+bin_columns: numbers a point in a .bin file: 3, 4 (x y z intensity), 5 or 6; 0: 4 to 6, found by the numbers. max_points: files with more are refused.
 
 Points that are not finite are dropped. Raises FileError, with nothing read, for a file that is damaged, cut short or without
 points. A suspicious file is a UserWarning.)";
@@ -39,11 +39,32 @@ Scan read_image(const fs::path& path, const py::object& camera, std::optional<do
   });
 }
 
+// The bytes of a LAZ file as LAS, by laspy.
+FileBytes decompressed(const fs::path& path) {
+  try {
+    const py::object buffer = py::module_::import("io").attr("BytesIO")();
+    const py::object las = py::module_::import("laspy").attr("read")(path.string());
+    las.attr("write")(buffer, py::arg("do_compress") = false);
+    return {path, buffer.attr("getvalue")().cast<std::string>()};
+  } catch (const py::error_already_set& error) {
+    if (error.matches(PyExc_ImportError)) throw io_error(path, "LAZ is read through laspy: pip install laspy[lazrs]");
+    throw io_error(path, error.what());
+  }
+}
+
+CloudFile read_file(const fs::path& path, const ReadOptions& options) {
+  // A missing file is one of any name.
+  if (lower_case_extension(path) != ".laz" || !fs::exists(path))
+    return without_gil([&](const std::stop_token&) { return read_cloud(path, options); });
+  const FileBytes file = decompressed(path);
+  return without_gil([&](const std::stop_token&) { return parse_cloud(file, options); });
+}
+
 Scan read(const fs::path& path, const py::object& camera, std::optional<double> depth_scale, int bin_columns,
           std::uint64_t max_points) {
   if (lower_case_extension(path) == ".png") return read_image(path, camera, depth_scale);
   const ReadOptions options{max_points, bin_columns};
-  CloudFile file = without_gil([&](const std::stop_token&) { return read_cloud(path, options); });
+  CloudFile file = read_file(path, options);
   warn(file.report.warnings, path.string());
   return scan_of(std::move(file.cloud));
 }
@@ -66,7 +87,7 @@ void bind_files(py::module_& module) {
              py::arg("bin_columns") = usual.num_bin_columns, py::arg("max_points") = usual.max_points, kReadDoc);
   module.def(
       "write", &write, py::arg("path"), py::arg("cloud"),
-      "Writes a Cloud or an (N, 3) array as .ply or .pcd, binary, with directions and structures if it has them; "
+      "Writes a Cloud or an (N, 3) array as .ply, .pcd or .las, binary, with directions and structures if it has them; "
       "whole or absent. Raises FileError, and ArgumentError for a cloud without points.");
   module.def(
       "read_transform",

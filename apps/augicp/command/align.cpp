@@ -54,7 +54,8 @@ AlignRun register_files(const AlignArguments& arguments) {
   Input read = read_input(arguments.source, with_fields, arguments.source_image);
   Scan source = std::move(read.scan);
   if (!arguments.output.empty())
-    run.source_as_read = {source.cloud, std::move(read.grid), std::move(read.report), std::move(read.fields)};
+    run.source_as_read = {source.cloud, std::move(read.grid), std::move(read.report), std::move(read.las),
+                          std::move(read.fields)};
   Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
   report.timing_ms.read = reading.elapsed_ms();
   const Stopwatch preparing;
@@ -85,7 +86,7 @@ ExitCode exit_code_for(AlignStatus status) {
 
 int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
-  require_extension(arguments.output, {".ply", ".pcd"});
+  require_extension(arguments.output, {".ply", ".pcd", ".las"});
   AlignRun run = register_files(arguments);
   const AlignReport& report = run.report;
   const Rigid3& pose = report.result.target_from_source;
@@ -111,7 +112,8 @@ void add_method_options(CLI::App& command, AlignArguments& arguments) {
 void add_output_options(CLI::App& command, AlignArguments& arguments) {
   const std::string group = "Output";
   command.add_option("--transform", arguments.transform, "Write T_target_source as 4x4 text")->group(group);
-  command.add_option("--output", arguments.output, "Write the source in the target frame (.ply or .pcd)")->group(group);
+  command.add_option("--output", arguments.output, "Write the source in the target frame (.ply, .pcd or .las)")
+      ->group(group);
   command.add_option("--json", arguments.json, "Write all results as JSON to a file, or to stdout with -")
       ->group(group);
   command
@@ -128,7 +130,7 @@ void add_align_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("align", "Find the motion between two clouds or depth images");
   command
       ->add_option("source,--source", arguments->source,
-                   "The moving cloud: .ply .pcd .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")
+                   "The moving cloud: .ply .pcd .las .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")
       ->required();
   command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
   add_input_options(*command, arguments->input);

@@ -65,7 +65,9 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   command.add_option("--depth-scale", options.depth_scale, "Pixel value of one metre: TUM 5000, most others 1000")
       ->capture_default_str()
       ->group(group);
-  command.add_option("--bin-columns", options.read.num_bin_columns, "Numbers a point in .bin files: 4 (KITTI) or 3")
+  command
+      .add_option("--bin-columns", options.read.num_bin_columns,
+                  "Numbers a point in .bin files: 3, 4 (KITTI), 5 (nuScenes) or 6; 0: found")
       ->capture_default_str()
       ->group(group);
   command.add_option("--max-points", options.read.max_points, "Refuse clouds with more points")
@@ -83,7 +85,8 @@ Input read_input(const std::filesystem::path& path, const InputOptions& options,
   CloudFile file = read_cloud(path, options.read);
   for (const std::string& warning : file.report.warnings)
     fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);
-  return {scan_of(std::move(file.cloud)), std::move(file.report), std::move(file.fields), std::move(file.grid)};
+  return {scan_of(std::move(file.cloud)), std::move(file.report), std::move(file.fields), std::move(file.grid),
+          std::move(file.las)};
 }
 
 void write_cloud_output(const std::string& path, const CloudFile& file, bool quiet) {

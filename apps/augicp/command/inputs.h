@@ -29,6 +29,7 @@ struct Input {
   ReadReport report;
   PointFields fields{};
   std::optional<IndexImage> grid{};
+  std::optional<LasRecords> las{};
 };
 
 // A depth image (.png) or a cloud. grey_path: an image registered to the depth image, or empty. Throws IoError, also if
@@ -37,8 +38,8 @@ struct Input {
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path = {});
 
-// Writes a cloud with the fields of its input to .ply or .pcd, see write_cloud(). Parts of the input that the output
-// lacks become a warning on stderr each, unless it is to be quiet. Throws IoError.
+// Writes a cloud with the fields of its input to .ply, .pcd or .las, see write_cloud(). Parts of the input that the
+// output lacks become a warning on stderr each, unless it is to be quiet. Throws IoError.
 void write_cloud_output(const std::string& path, const CloudFile& file, bool quiet);
 
 // The given camera, see read_camera, or else the sequence's own. Throws std::invalid_argument if there is none, and

@@ -11,6 +11,7 @@
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
+#include "augicp/io/field_layout.h"
 #include "augicp/io/write_cloud.h"
 #include "augicp/registration/option_table.h"
 #include "augicp/registration/registration.h"
@@ -67,11 +68,9 @@ PointFields output_fields(const Cloud& output, const Cloud& input, PointFields f
 
 // The fields of points alone: one a cell of a grid is of no use where points become fewer.
 PointFields fields_of_points(Input& input) {
+  if (input.las) return fields_of(*input.las);
   if (!input.grid) return std::move(input.fields);
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t i = 0; i < input.grid->index.size(); ++i)
-    if (input.grid->index[i] != IndexImage::kNone) rows.push_back(i);
-  PointFields fields = select(input.fields, rows);
+  PointFields fields = without_empty_cells(input.fields, *input.grid);
   fields.not_kept.push_back("the grid: the output has a point a voxel");
   return fields;
 }
@@ -90,7 +89,8 @@ int run_surface(const SurfaceArguments& arguments) {
   if (!(lengths.radius > 0.0)) throw IoError(arguments.input_file + ": all points are equal, so there is no surface");
   const Cloud as_read = scan.cloud;
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
-  write_cloud_output(arguments.output, {cloud, std::nullopt, {}, output_fields(cloud, as_read, std::move(fields))},
+  write_cloud_output(arguments.output,
+                     {cloud, std::nullopt, {}, std::nullopt, output_fields(cloud, as_read, std::move(fields))},
                      arguments.quiet);
   if (!arguments.quiet)
     fmt::print("points   {}, ball radius {:.4g} m\nplanar   {:.1f} %\nedge     {:.1f} %\nnone     {:.1f} %\n",

@@ -8,6 +8,7 @@
 
 #include "augicp/cloud/cloud.h"
 #include "augicp/cloud/index_image.h"
+#include "augicp/io/las_records.h"
 #include "augicp/io/point_fields.h"
 
 namespace augicp {
@@ -15,9 +16,10 @@ namespace augicp {
 struct ReadOptions {
   std::uint64_t max_points = 100'000'000;  // files that declare or contain more are refused
 
-  // Numbers per point in a .bin file, each a float32: 4 as in KITTI (x y z intensity), or 3 for positions alone. The
-  // file does not state it.
-  int num_bin_columns = 4;
+  // Numbers per point in a .bin file, each a float32: 3 for positions alone, 4 as in KITTI (x y z intensity), or 5 or 6
+  // with more behind, as in nuScenes. The file does not state it. 0: 4, 5 or 6, whichever the numbers fit, see
+  // read_kitti.h.
+  int num_bin_columns = 0;
 
   // Whether columns beside the cloud's own are kept, in CloudFile::fields. They take as much memory as in a binary
   // file.
@@ -43,7 +45,8 @@ struct CloudFile {
   Cloud cloud;                     // never empty, every point finite
   std::optional<IndexImage> grid;  // organised files (several rows): the point in each pixel
   ReadReport report;
-  PointFields fields{};  // only with ReadOptions::keep_fields; the intensities are here too, with their type
+  std::optional<LasRecords> las{};  // only with ReadOptions::keep_fields, of LAS files: in place of fields
+  PointFields fields{};             // only with ReadOptions::keep_fields; the intensities are here too, with their type
 };
 
 }  // namespace augicp

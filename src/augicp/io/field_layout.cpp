@@ -111,24 +111,42 @@ void pack_colours(std::vector<PointField>& fields) {
   fields = std::move(others);
 }
 
+// A column a number, with colours in columns of their own.
+std::vector<PointField> single_columns(std::vector<PointField> fields) {
+  std::vector<PointField> single;
+  for (PointField& field : fields) {
+    if (!is_packed_colour(field) && field.count == 1) {
+      single.push_back(std::move(field));
+      continue;
+    }
+    for (PointField& part : is_packed_colour(field) ? unpacked(field) : split(field)) single.push_back(std::move(part));
+  }
+  return single;
+}
+
 }  // namespace
 
+PointFields fields_of(const CloudFile& file) { return file.las ? fields_of(*file.las) : file.fields; }
+
+PointFields without_empty_cells(const PointFields& fields, const IndexImage& grid) {
+  std::vector<std::uint32_t> rows;
+  for (std::size_t i = 0; i < grid.index.size(); ++i)
+    if (grid.index[i] != IndexImage::kNone) rows.push_back(static_cast<std::uint32_t>(i));
+  return select(fields, rows);
+}
+
 PointFields fields_for_ply(PointFields fields) {
-  std::vector<PointField> written;
-  const auto add = [&](PointField field) {
-    written.push_back(is_wide(field) ? as_double(field, fields.not_kept) : std::move(field));
-  };
-  for (PointField& field : fields.fields) {
-    if (is_packed_colour(field)) {
-      for (PointField& part : unpacked(field)) add(std::move(part));
-    } else if (field.count > 1) {
-      for (PointField& part : split(field)) add(std::move(part));
-    } else {
-      add(std::move(field));
-    }
-  }
-  make_names_unique(written);
-  return {std::move(written), std::move(fields.not_kept)};
+  fields.fields = single_columns(std::move(fields.fields));
+  for (PointField& field : fields.fields)
+    if (is_wide(field)) field = as_double(field, fields.not_kept);
+  make_names_unique(fields.fields);
+  return fields;
+}
+
+PointFields fields_for_las(PointFields fields) {
+  fields.fields = single_columns(std::move(fields.fields));
+  make_names_unique(fields.fields);
+  return fields;
 }
 
 PointFields fields_for_pcd(PointFields fields) {

@@ -8,8 +8,8 @@
 
 namespace augicp {
 
-// Reads the cloud in a file: .ply, .pcd, .xyz .txt .csv .pts, KITTI's .bin or .npy, by the extension; the content is
-// checked. Throws IoError for a file that is damaged, cut short, without points or without any finite point. Memory:
+// Reads the cloud in a file: .ply, .pcd, .las, .xyz .txt .csv .pts, KITTI's .bin or .npy, by the extension; the content
+// is checked. Throws IoError for a file that is damaged, cut short, without points or without any finite point. Memory:
 // the file, its content if it is compressed, and the cloud, so about three times the file at most, except for
 // coordinates in single bytes.
 //

@@ -8,6 +8,7 @@
 #include "augicp/io/field_layout.h"
 #include "augicp/io/file_bytes.h"
 #include "augicp/io/format.h"
+#include "augicp/io/write_las.h"
 
 namespace augicp {
 namespace {
@@ -70,13 +71,9 @@ void write_pcd_file(const std::filesystem::path& path, const Cloud& cloud, const
   file.commit();
 }
 
-// PLY has no grid: the rows of cells without a point are left out.
-PointFields without_empty_cells(const CloudFile& file) {
-  if (!file.grid) return file.fields;
-  std::vector<std::uint32_t> rows;
-  for (std::size_t i = 0; i < file.grid->index.size(); ++i)
-    if (file.grid->index[i] != IndexImage::kNone) rows.push_back(static_cast<std::uint32_t>(i));
-  PointFields fields = select(file.fields, rows);
+PointFields fields_without_grid(const CloudFile& file) {
+  if (!file.grid) return fields_of(file);
+  PointFields fields = without_empty_cells(file.fields, *file.grid);
   fields.not_kept.push_back(
       fmt::format("the grid of {} x {} cells: PLY has none", file.grid->width, file.grid->height));
   return fields;
@@ -84,8 +81,8 @@ PointFields without_empty_cells(const CloudFile& file) {
 
 std::string checked_extension(const std::filesystem::path& path) {
   std::string extension = lower_case_extension(path);
-  if (extension == ".ply" || extension == ".pcd") return extension;
-  throw io_error(path, "expected the extension .ply or .pcd, found " + in_quotes(extension));
+  if (extension == ".ply" || extension == ".pcd" || extension == ".las") return extension;
+  throw io_error(path, "expected the extension .ply, .pcd or .las, found " + in_quotes(extension));
 }
 
 }  // namespace
@@ -110,19 +107,27 @@ void write_pcd(const std::filesystem::path& path, const Cloud& cloud, FileEncodi
 }
 
 std::vector<std::string> write_cloud(const std::filesystem::path& path, const CloudFile& file) {
-  if (checked_extension(path) == ".pcd") {
-    const PointFields fields = fields_for_pcd(file.fields);
+  const std::string extension = checked_extension(path);
+  if (extension == ".las") return write_las(path, file);
+  const bool is_pcd = extension == ".pcd";
+  const PointFields fields = is_pcd ? fields_for_pcd(fields_of(file)) : fields_for_ply(fields_without_grid(file));
+  if (is_pcd) {
     write_pcd_file(path, file.cloud, fields, file.grid ? &*file.grid : nullptr, FileEncoding::Binary);
-    return fields.not_kept;
+  } else {
+    write_ply_file(path, file.cloud, fields, FileEncoding::Binary);
   }
-  const PointFields fields = fields_for_ply(without_empty_cells(file));
-  write_ply_file(path, file.cloud, fields, FileEncoding::Binary);
   return fields.not_kept;
 }
 
 void write_cloud(const std::filesystem::path& path, const Cloud& cloud) {
-  if (checked_extension(path) == ".ply") return write_ply(path, cloud);
-  write_pcd(path, cloud);
+  const std::string extension = checked_extension(path);
+  if (extension == ".las") {
+    write_las(path, {cloud, std::nullopt, {}});
+  } else if (extension == ".ply") {
+    write_ply(path, cloud);
+  } else {
+    write_pcd(path, cloud);
+  }
 }
 
 }  // namespace augicp

@@ -20,7 +20,7 @@ enum class FileEncoding : std::uint8_t { Binary, Ascii };  // binary is little e
 // follow as nx ny nz, with the structure as its number, the tangents of edges as tangent_x tangent_y tangent_z, then
 // the intensity. Throw IoError; throw std::invalid_argument for a cloud without points.
 
-// Chosen by the extension, .ply or .pcd; binary.
+// Chosen by the extension, .ply, .pcd or .las; binary.
 void write_cloud(const std::filesystem::path& path, const Cloud& cloud);
 
 // The same with the further columns of file.fields and, in PCD, the rows of file.grid. Returns a sentence for each part

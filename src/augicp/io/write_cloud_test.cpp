@@ -169,7 +169,7 @@ TEST(ReadCloud, AnUnknownExtensionIsRefusedWithTheKnownOnes) {
     read_cloud(folder / "cloud.stl");
     FAIL() << "no error";
   } catch (const IoError& error) {
-    for (const char* part : {"cloud.stl", ".ply .pcd .xyz .txt .csv .pts .bin .npy", "found '.stl'"})
+    for (const char* part : {"cloud.stl", ".ply .pcd .xyz .txt .csv .pts .bin .npy .las .laz", "found '.stl'"})
       EXPECT_THAT(error.what(), ::testing::HasSubstr(part));
   }
 }
