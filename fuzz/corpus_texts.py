@@ -25,6 +25,20 @@ TRAJECTORY = {
     "milliseconds": b"1305031453374 0 0 0 0 0 0 1\n",
 }
 
+POSES = {
+    "tum": TRAJECTORY["tum"],
+    "kitti": b"1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 2 0 0 1 3\n",
+    "stamped-rows": b"0.1 1 0 0 0 0 1 0 0 0 0 1 0\n0.2 1 0 0 1 0 1 0 2 0 0 1 3\n",
+    "euroc": b"#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z [], v_RS_R_x [m s^-1]\n"
+             b"1403636579763555584,4.6,-1.7,0.7,1,0,0,0,-0.02\n1403636579768555584,4.6,-1.7,0.7,0,1,0,0,-0.02\n",
+    "spreadsheet": b"\xef\xbb\xbf\"qw\";\"qx\";\"qy\";\"qz\";\"time_ms\";\"x\";\"y\";\"z\"\r\n1;0;0;0;12;1;2;3\r\n1;0;0;0;13;1;2;3\r\n",
+    "topic": b"%time,field.pose.position.x,field.pose.position.y,field.pose.position.z,field.pose.orientation.x,"
+             b"field.pose.orientation.y,field.pose.orientation.z,field.pose.orientation.w\n1403636579763555584,0,0,0,0,0,0,1\n",
+    "objects": b'{"timestamp": 1.5, "position": [1, 2, 3], "orientation_wxyz": [1, 0, 0, 0]}\n'
+               b'{"timestamp": 2.5, "position": [1, 2, 3], "orientation_wxyz": [0, 1, 0, 0], "more": {"a": [[1], 2]}}\n',
+    "nested": b'{"stamp_ns": 1, "pose": {"position": {"x": 0, "y": 0, "z": 0}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}}\n',
+}
+
 TRANSFORM = {
     "matrix": b"# T\n1 0 0 0.5\n0 1 0 0\n0 0 1 -2\n0 0 0 1\n",
     "rows": b"0 -1 0 1, 1 0 0 2, 0 0 1 3\n",
@@ -46,6 +60,15 @@ CAMERA = {
     "whole-numbers": b"525 525 320 240",
     "columns": b'{"intrinsic_matrix": [[500, 0, 0], [0, 500, 0], [320, 240, 1]]}',
 }
+
+CAMERA.update({
+    "scannet": b"585 0 320 0\n0 586.5 240.25 0\n0 0 1 0\n0 0 0 1\n",
+    "rows": b'{"intrinsic_matrix": [[500, 0, 320], [0, 500, 240], [0, 0, 1]]}',
+    "realsense": b'{"width": 640, "height": 480, "fx": 585, "fy": 586, "ppx": 320, "ppy": 240, "model": "Brown Conrady", "coeffs": [0, 0, 0, 0, 0]}',
+    "ros": b"image_width: 640\nimage_height: 480\ncamera_matrix:\n  rows: 3\n  cols: 3\n  data: [585, 0, 320, 0, 586, 240,\n    0, 0, 1]\n"
+           b"distortion_model: plumb_bob\ndistortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [0.1, -0.2, 0, 0, 0]\n",
+    "ros-message": b"height: 480\nwidth: 640\nd: []\nk: [585, 0, 320, 0, 586, 240, 0, 0, 1]\n",
+})
 
 COMMAND_LINE = {
     "align": b"align\na.ply\nb.ply\n--method\ngicp\n--initial\n0 0 0 0 0 0 1\n--max-angle-deg\n45\n--quiet\n\n"

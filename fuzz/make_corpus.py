@@ -75,11 +75,21 @@ def npy(array, version=1):
     return b"\x93NUMPY" + bytes([version, 0]) + length + header.encode() + array.tobytes("A")
 
 
+def npy_structured(array):
+    header = repr({"descr": array.dtype.descr, "fortran_order": False, "shape": array.shape}) + "\n"
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode() + array.tobytes()
+
+
 def npy_files():
     yield "f4", npy(POINTS[:4])
     yield "f8-version-2", npy(POINTS[:4].astype("f8"), 2)
     yield "big-endian", npy(POINTS[:4].astype(">f4"))
     yield "fortran", npy(numpy.asfortranarray(POINTS[:4]))
+    yield "half", npy(POINTS[:4].astype("f2"))
+    yield "integers", npy((100 * POINTS[:4]).astype(">i4"))
+    structured = numpy.zeros(3, [("x", "<f8"), ("y", "<f4"), ("intensity", "<u2"), ("z", "<f4"), ("rgb", "u1", (3,))])
+    structured["x"], structured["y"], structured["z"] = POINTS[:3].T
+    yield "structured", npy_structured(structured)
     yield "grid", npy(numpy.resize(POINTS, (2, 3, 4)))
 
 
@@ -152,6 +162,21 @@ def depth_png_files():
     yield "grey-8", png([bytes(range(8))] * 2, 8, 0)
 
 
+def depth_pgm_files():
+    yield "depth", b"P5\n# depth\n8 6\n65535\n" + b"".join(depth_rows())
+    yield "small", b"P5 2 1 300\n\x01\x00\x00\x00"
+    yield "grey-8", b"P5 2 1 255\n\x01\x00"
+
+
+def depth_npy_files():
+    values = numpy.arange(12, dtype="f4").reshape(3, 4) / 4
+    values[1, 1] = numpy.nan
+    for name in ("f2", "f4", ">f8"):
+        yield name.strip(">"), npy(values.astype(name))
+    yield "fortran", npy(numpy.asfortranarray(values))
+    yield "integers", npy(numpy.arange(500, 512, dtype="u2").reshape(3, 4))
+
+
 def grey_png_files():
     row = bytes(range(0, 240, 10))
     yield "grey", png([row] * 3, 8, 0)
@@ -193,10 +218,10 @@ def align_files():
     yield "outlier", bytes((1, 200, 2, 0x40)) + guess + POINTS.tobytes() + struct.pack("<3f", 1e17, 0, 0) + POINTS.tobytes()
 
 
-FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files,
+FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files, "depth_pgm": depth_pgm_files, "depth_npy": depth_npy_files,
          "grey_png": grey_png_files, "sequence": sequence_files, "align": align_files,
          "xyz": corpus_texts.XYZ.items, "image_list": corpus_texts.IMAGE_LIST.items, "trajectory": corpus_texts.TRAJECTORY.items,
-         "transform": corpus_texts.TRANSFORM.items, "camera": corpus_texts.CAMERA.items,
+         "poses": corpus_texts.POSES.items, "transform": corpus_texts.TRANSFORM.items, "camera": corpus_texts.CAMERA.items,
          "command_line": corpus_texts.COMMAND_LINE.items}
 
 

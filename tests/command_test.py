@@ -237,7 +237,8 @@ class CommandTest(unittest.TestCase):
             (3, ("align", self.folder, cloud)), (3, ("align", cloud, cloud, "--initial", self.folder / "mirror.txt")),
             (3, ("align", cloud, cloud, "--transform", "/dev/full")), (3, ("align", *IMAGES, "--camera", "tum-fr9")),
             (3, ("align", *IMAGES, "--camera", "tum-fr1", "--depth-scale", 1)),
-            (2, ("align", cloud, cloud, "--output", self.folder / "a.xyz")),
+            (2, ("align", cloud, cloud, "--output", self.folder / "a.xyz")), (2, ("align", cloud, cloud, "--camera", "tum-fr1")),
+            (2, ("info", cloud, "--camera", "tum-fr1")), (2, ("surface", cloud, "--camera", "tum-fr1", "--output", self.folder / "a.ply")),
             (2, ("surface", cloud, "--output", self.folder / "a.pcd")),
             (3, ("surface", self.folder / "same.xyz", "--output", self.folder / "a.ply")),
             (3, ("align", *IMAGES, "--camera", "525 525 1e300 2")),
@@ -295,6 +296,15 @@ class CommandTest(unittest.TestCase):
         header = (self.folder / "extended.ply").read_bytes().split(b"end_header")[0].decode()
         for name in ("uchar red", "ushort ring", "double stamp", "float nx", "float tangent_x"):
             self.assertEqual(header.count(f"property {name}\n"), 1, name)
+
+    def test_units_that_differ_are_said(self):
+        points = list(binary_points(ROOM / "source.ply"))[::20]
+        for name, scale in (("m.xyz", 1), ("mm.xyz", 1000)):
+            (self.folder / name).write_text("".join("%g %g %g\n" % tuple(scale * x for x in point) for point in points))
+        for source, target, says in (("m", "mm", "the target is about 1000 times"), ("mm", "m", "the source is about 1000 times")):
+            finished = run("align", self.folder / f"{source}.xyz", self.folder / f"{target}.xyz", "--quiet")
+            self.assertIn(says, finished.stderr)
+        self.assertEqual(run("align", self.folder / "mm.xyz", self.folder / "mm.xyz", "--quiet").stderr, "")
 
     def test_what_an_output_cannot_keep_is_said(self):
         grid = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 40\nHEIGHT 40\nDATA ascii\n"

@@ -266,11 +266,12 @@ def names_of(line):
     return [word[1:-1] if len(word) > 1 and word[0] == word[-1] == '"' else word for word in fields(line)]
 
 
-def axes_of_comment(comment, first_point):
-    """The columns that a comment before the first point names, where it names x, y and z."""
-    names = names_of(comment)
-    if any([name.lower() for name in names].count(axis) != 1 for axis in "xyz"):
+def axes_of_comment(comments, first_point):
+    """The columns that the last comment before the first point which names x, y and z states."""
+    named = [names for names in map(names_of, comments) if all([name.lower() for name in names].count(axis) == 1 for axis in "xyz")]
+    if not named:
         return [0, 1, 2]
+    names = named[-1]
     axes, num_numbers = columns_of(names), len(fields(first_point))
     require(len(names) == num_numbers or axes == [0, 1, 2])
     return axes
@@ -289,7 +290,7 @@ def xyz(data):
         declared, found = count(fields(found[0])[0]), found[1:]
     require(found and (declared is None or len(found) >= declared))
     if axes is None:
-        axes = axes_of_comment(before[-1], found[0]) if before else [0, 1, 2]
+        axes = axes_of_comment(before, found[0])
     mark = separator(found[0])
     rows = [fields_of(line, mark) for line in found[:declared]]
     require(all(len(row) > max(axes) for row in rows))
@@ -306,23 +307,49 @@ def kitti(data):
     return holds_of([point[:3] for point in possible[0]], len(possible) > 1)
 
 
-def npy(data):
+NUMBERS = {"f2": "e", "f4": "f", "f8": "d", "b1": "B", "i1": "b", "i2": "h", "i4": "i", "i8": "q", "u1": "B", "u2": "H", "u4": "I", "u8": "Q"}
+
+
+def npy_members(descr):
+    """The size of an item, and the form and the place of x, y and z."""
+    size, found = 0, {}
+    for name, order, kind, length, repeat in re.findall(
+            r"\([ \t]*'([^']*)'[ \t]*,[ \t]*'([<>|=])(.)(\d+)'[ \t]*(?:,[ \t]*\([ \t]*(\d+)[ \t]*,?[ \t]*\)[ \t]*)?\)", descr):
+        number_form = NUMBERS.get(kind + length.lstrip("0"))
+        require(number_form or kind == "V")
+        if number_form and name.lower() in ("x", "y", "z"):
+            require(repeat == "" or int(repeat) == 1)
+            require(name.lower() not in found)
+            found[name.lower()] = ((">" if order == ">" else "<") + number_form, size)
+        size += int(length) * int(repeat or 1)
+    return size, [found[axis] for axis in "xyz"]
+
+
+def npy_header(data):
     require(data[:6] == b"\x93NUMPY" and len(data) >= 12 and data[6] in (1, 2, 3))
     length, begin = take(data, 8, "<H" if data[6] == 1 else "<I")
     require(begin + length <= len(data))
     header = text_of(data[begin:begin + length])
-    order, size = re.search(r"'descr'[ \t]*:[ \t]*'([<>])f([48])'", header).groups()
     fortran = re.search(r"'fortran_order'[ \t]*:[ \t]*(True|False)", header)[1] == "True"
     shape = [int(side) for side in re.search(r"'shape'[ \t]*:[ \t]*\(([^)]*)\)", header)[1].strip(" \t,").split(",")]
-    require(len(shape) in (2, 3) and shape[-1] >= 3)
-    require(not (len(shape) == 2 and shape[0] in (3, 4) and shape[1] > 8))  # coordinates as rows
-    total = math.prod(shape)
-    begin, size = begin + length, int(size)
-    require(begin + total * size <= len(data))
-    values = struct.unpack_from(f"{order}{total}{'f' if size == 4 else 'd'}", data, begin)
-    num_points = total // shape[-1]
-    if fortran:
-        positions = [[values[axis * num_points + i] for axis in range(3)] for i in range(num_points)]
+    return header, fortran, shape, begin + length
+
+
+def npy(data):
+    header, fortran, shape, begin = npy_header(data)
+    plain = re.search(r"'descr'[ \t]*:[ \t]*'([<>|=])(\w)0*(\d+)'", header)
+    if plain:
+        require(len(shape) in (2, 3) and shape[-1] >= 3)
+        require(not (len(shape) == 2 and shape[0] in (3, 4) and shape[1] > 8))  # coordinates as rows
+        form = (">" if plain[1] == ">" else "<") + NUMBERS[plain[2] + plain[3]]
+        size, num_points = struct.calcsize(form), math.prod(shape[:-1])
+        step, across = (size, num_points * size) if fortran else (shape[-1] * size, size)
+        axes, total = [(form, axis * across) for axis in range(3)], math.prod(shape) * size
     else:
-        positions = [values[i * shape[-1]:i * shape[-1] + 3] for i in range(num_points)]
-    return holds_of(positions, begin + total * size < len(data))
+        require(len(shape) in (1, 2))
+        step, axes = npy_members(re.search(r"'descr'[ \t]*:[ \t]*(\[.*)", header)[1].split("]")[0])
+        num_points = math.prod(shape)
+        total = num_points * step
+    require(begin + total <= len(data) and num_points)
+    positions = [[take(data, begin + i * step + at, form)[0] for form, at in axes] for i in range(num_points)]
+    return holds_of(positions, begin + total < len(data))

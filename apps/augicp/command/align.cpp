@@ -58,6 +58,7 @@ AlignRun register_files(const AlignArguments& arguments) {
                           std::move(read.fields)};
   Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
   report.timing_ms.read = reading.elapsed_ms();
+  warn_of_units(source.cloud, target.cloud);
   const Stopwatch preparing;
   PreparedPair prepared = prepare_pair(std::move(source), std::move(target), options);
   report.timing_ms.surface = preparing.elapsed_ms();
@@ -87,6 +88,7 @@ ExitCode exit_code_for(AlignStatus status) {
 int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd", ".las"});
+  require_use_of_camera(arguments.input, {arguments.source, arguments.target});
   AlignRun run = register_files(arguments);
   const AlignReport& report = run.report;
   const Rigid3& pose = report.result.target_from_source;

@@ -59,6 +59,7 @@ std::string info_text(const nlohmann::ordered_json& info) {
 }
 
 int run_info(const InfoArguments& arguments) {
+  require_use_of_camera(arguments.input, {arguments.file});
   const nlohmann::ordered_json info = info_json(arguments.file, read_input(arguments.file, arguments.input));
   if (!arguments.json.empty()) write_json(arguments.json, info);
   if (arguments.json != "-") fmt::print("{}", info_text(info));

@@ -10,9 +10,10 @@
 #include "apps/augicp/command/interruption.h"
 #include "augicp/core/error.h"
 #include "augicp/io/camera_file.h"
-#include "augicp/io/depth_png.h"
+#include "augicp/io/depth_file.h"
 #include "augicp/io/grey_png.h"
 #include "augicp/io/read_cloud.h"
+#include "augicp/io/spread.h"
 #include "augicp/io/write_cloud.h"
 
 namespace augicp::app {
@@ -35,19 +36,28 @@ void check_fits(const std::filesystem::path& path, const DepthImage& image, cons
   }
 }
 
+// An array may be a cloud too: only a camera makes it an image.
+bool is_depth_image(const std::filesystem::path& path, const InputOptions& options) {
+  return is_image_file(path) || (lower_case_extension(path) == ".npy" && !options.camera.empty());
+}
+
 Input read_depth_input(const std::filesystem::path& path, const InputOptions& options,
                        const std::filesystem::path& grey_path) {
   if (options.camera.empty())
     throw std::invalid_argument(
         fmt::format("{}: a depth image needs --camera: a file, numbers \"fx fy cx cy\" or one of {}", path.string(),
                     fmt::join(camera_names(), " ")));
-  const DepthImage image = read_depth_png(path, options.depth_scale);
-  check_depth_scale(image, path, options.depth_scale);
+  constexpr double kTumDepthScale = 5000.0;
+  const double depth_scale =
+      options.depth_scale.value_or(depth_scale_of_camera(options.camera).value_or(kTumDepthScale));
+  const DepthImage image = read_depth_image(path, depth_scale);
+  check_depth_scale(image, path, depth_scale);
   const DepthCamera camera = read_camera(options.camera);
   check_fits(path, image, camera);
   Input input{grey_path.empty() ? scan_of(image, camera) : scan_of(image, read_grey_input(grey_path, image), camera),
               {}};
-  input.report.format = fmt::format("png depth {} x {}", image.width, image.height);
+  input.report.format =
+      fmt::format("{} depth {} x {}", lower_case_extension(path).substr(1), image.width, image.height);
   input.report.num_declared = image.depth.size();
   input.report.num_not_finite = image.depth.size() - input.scan.cloud.size();
   return input;
@@ -63,7 +73,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
                               fmt::join(camera_names(), " ")))
       ->group(group);
   command.add_option("--depth-scale", options.depth_scale, "Pixel value of one metre: TUM 5000, most others 1000")
-      ->capture_default_str()
+      ->default_str("that of the named camera, or 5000")
       ->group(group);
   command
       .add_option("--bin-columns", options.read.num_bin_columns,
@@ -78,7 +88,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path) {
-  if (lower_case_extension(path) == ".png") return read_depth_input(path, options, grey_path);
+  if (is_depth_image(path, options)) return read_depth_input(path, options, grey_path);
   if (!grey_path.empty())
     throw std::invalid_argument(
         fmt::format("{}: an image goes with a depth image, not with a cloud", grey_path.string()));
@@ -87,6 +97,28 @@ Input read_input(const std::filesystem::path& path, const InputOptions& options,
     fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);
   return {scan_of(std::move(file.cloud)), std::move(file.report), std::move(file.fields), std::move(file.grid),
           std::move(file.las)};
+}
+
+void require_use_of_camera(const InputOptions& options, const std::vector<std::filesystem::path>& inputs) {
+  const bool any = std::any_of(inputs.begin(), inputs.end(),
+                               [&](const std::filesystem::path& path) { return is_depth_image(path, options); });
+  if (!options.camera.empty() && !any)
+    throw std::invalid_argument(
+        fmt::format("--camera {}: goes with a depth image (.png, .pgm, .npy), and {} is a cloud", options.camera,
+                    inputs.front().string()));
+}
+
+void warn_of_units(const Cloud& source, const Cloud& target) {
+  constexpr double kAlike = 4.0;  // two views of one place differ less
+  if (source.empty() || target.empty()) return;
+  const auto radius = [](const Cloud& cloud) {
+    return spread_of(cloud.size(), [&](std::size_t i) { return Vec3d(cloud.points[i].cast<double>()); }).radius;
+  };
+  const double of_source = radius(source), of_target = radius(target);
+  const double ratio = std::max(of_source, of_target) / std::min(of_source, of_target);
+  if (!(ratio > 1000.0 / kAlike && ratio < 1000.0 * kAlike)) return;
+  fmt::print(stderr, "augicp: warning: the {} is about {:.0f} times as large as the {}: millimetres and metres?\n",
+             of_source > of_target ? "source" : "target", ratio, of_source > of_target ? "target" : "source");
 }
 
 void write_cloud_output(const std::string& path, const CloudFile& file, bool quiet) {

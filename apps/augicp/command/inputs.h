@@ -15,8 +15,8 @@
 namespace augicp::app {
 
 struct InputOptions {
-  std::string camera;           // name, file or "fx fy cx cy"; for depth images
-  double depth_scale = 5000.0;  // pixel value at one metre
+  std::string camera;                 // name, file or "fx fy cx cy"; for depth images
+  std::optional<double> depth_scale;  // pixel value at one metre; empty: that of the named camera, or 5000
   ReadOptions read;
 };
 
@@ -32,11 +32,18 @@ struct Input {
   std::optional<LasRecords> las{};
 };
 
-// A depth image (.png) or a cloud. grey_path: an image registered to the depth image, or empty. Throws IoError, also if
-// the sizes of the two images differ, and std::invalid_argument for a depth image without a camera or a cloud with an
-// image.
+// A depth image (.png, .pgm, or with a camera .npy) or a cloud. grey_path: an image registered to the depth image, or
+// empty. Throws IoError, also if the sizes of the two images differ, and std::invalid_argument for a depth image
+// without a camera or a cloud with an image.
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path = {});
+
+// Throws std::invalid_argument if there is a camera, and none of the inputs is a depth image.
+void require_use_of_camera(const InputOptions& options, const std::vector<std::filesystem::path>& inputs);
+
+// Warns on stderr if one of the clouds is about a thousand times as large as the other, as millimetres among metres
+// are.
+void warn_of_units(const Cloud& source, const Cloud& target);
 
 // Writes a cloud with the fields of its input to .ply, .pcd or .las, see write_cloud(). Parts of the input that the
 // output lacks become a warning on stderr each, unless it is to be quiet. Throws IoError.

@@ -78,6 +78,7 @@ PointFields fields_of_points(Input& input) {
 int run_surface(const SurfaceArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply"});
+  require_use_of_camera(arguments.input, {arguments.input_file});
   InputOptions with_fields = arguments.input;
   with_fields.read.keep_fields = true;
   Input input = read_input(arguments.input_file, with_fields);

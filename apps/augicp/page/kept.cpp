@@ -11,7 +11,7 @@
 #include "apps/augicp/page/thinning.h"
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/error.h"
-#include "augicp/io/depth_png.h"
+#include "augicp/io/depth_file.h"
 
 namespace augicp::app {
 namespace {
@@ -30,7 +30,7 @@ struct SmallImage {
 };
 
 std::optional<SmallImage> read_small(const std::filesystem::path& path, double depth_scale) try {
-  const DepthImage image = read_depth_png(path, depth_scale);
+  const DepthImage image = read_depth_image(path, depth_scale);
   // By the longer side, so that odd shapes stay small too.
   const int step = std::max(1, (std::max(image.width, image.height) + kMaxColumns - 1) / kMaxColumns);
   SmallImage small{(image.width + step - 1) / step, (image.height + step - 1) / step, {}};

@@ -58,6 +58,40 @@ TEST(CameraFile, ALensFollowsThePinhole) {
   }
 }
 
+// As ScanNet, librealsense, ROS and OpenCV write them.
+TEST(CameraFile, OtherProgramsWriteTheSameCamera) {
+  expect_camera(parse_camera({"", "585 0 320 0\n0 586.5 240.25 0\n0 0 1 0\n0 0 0 1\n"}), 0, 0);
+  expect_camera(
+      parse_camera(
+          {"", R"({"width": 640, "height": 480, "intrinsic_matrix": [[585,0,320], [0,586.5,240.25], [0,0,1]]})"}),
+      640, 480);
+  expect_camera(parse_camera({"", R"({"width": 640, "height": 480, "fx": 585, "fy": 586.5, "ppx": 320, "ppy": 240.25,
+      "model": "distortion.inverse_brown_conrady", "coeffs": [0, 0, 0, 0, 0]})"}),
+                640, 480);
+  const std::string ros =
+      "image_width: 640\nimage_height: 480\ncamera_name: depth\ncamera_matrix:\n  rows: 3\n  cols: 3\n"
+      "  data: [585, 0, 320, 0, 586.5, 240.25,\n    0, 0, 1]\ndistortion_model: plumb_bob\ndistortion_coefficients:\n"
+      "  rows: 1\n  cols: 5\n  data: [0.1, -0.2, 0.003, 0.004, 0.5]\n";
+  expect_camera(parse_camera({"", ros}), 640, 480);
+  EXPECT_EQ(parse_camera({"", ros}).distortion.p2, 0.004);
+  expect_camera(
+      parse_camera(
+          {"",
+           "height: 480\nwidth: 640\ndistortion_model: \"\"\nd: []\nk: [585, 0, 320, 0, 586.5, 240.25, 0, 0, 1]\n"}),
+      640, 480);
+  expect_camera(parse_camera({"",
+                              "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                              "   data: [ 585., 0., 320., 0., 586.5,\n       240.25, 0., 0., 1. ]\n"}),
+                0, 0);
+}
+
+TEST(CameraFile, NamesBringTheirDepthScale) {
+  for (const std::string& name : camera_names()) EXPECT_TRUE(depth_scale_of_camera(name)) << name;
+  EXPECT_EQ(depth_scale_of_camera("tum-fr1"), 5000.0);
+  EXPECT_EQ(depth_scale_of_camera("7scenes"), 1000.0);
+  EXPECT_FALSE(depth_scale_of_camera("585 586.5 320 240.25"));
+}
+
 TEST(CameraFile, KnownNamesComeWithTheirImageSize) { EXPECT_EQ(read_camera("tum-fr1").pinhole.width, 640); }
 
 TEST(CameraFile, AnUnknownNameListsTheKnownOnes) {
@@ -78,6 +112,15 @@ TEST(CameraFile, WhatIsNoCameraIsRefused) {
       {"0 585 320 240", "fx"},
       {"585 nan 320 240", "fy"},
       {"585 1 320 0 585 240 0 0 1", "no skew"},
+      {"585 0 320 1 0 585 240 0 0 0 1 0 0 0 0 1", "of the identity"},
+      {"camera_matrix:\n  rows: 3\n", "expected data"},
+      {"k: [585, 0, 320\n", "list in brackets"},
+      {"k: [585, 0, 320]\n", "found 3 numbers"},
+      {"k: [585, x, 320]\n", "expected a number"},
+      {"distortion_model: equidistant\nk: [585, 0, 320, 0, 586.5, 240.25, 0, 0, 1]\n", "plumb_bob"},
+      {R"({"fx": 1, "fy": 1, "ppx": 1})", "\"ppy\""},
+      {R"({"fx": 500, "fy": 500, "ppx": 1, "ppy": 1, "model": "Inverse Brown Conrady", "coeffs": [0.1,0,0,0,0]})",
+       "inverse"},
       {"{", "JSON is damaged"},
       {"{}", "expected \"intrinsic_matrix\""},
       {R"({"intrinsic_matrix": [1, 2]})", "expected \"intrinsic_matrix\""},

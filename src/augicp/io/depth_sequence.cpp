@@ -3,7 +3,7 @@
 
 #include "augicp/core/check.h"
 #include "augicp/io/camera_file.h"
-#include "augicp/io/depth_png.h"
+#include "augicp/io/depth_file.h"
 #include "augicp/io/sequence_folders.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/io/transform_file.h"
@@ -100,13 +100,15 @@ DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
   } else {
     const fs::path images = fs::is_directory(folder / "depth", ignored) ? folder / "depth" : folder;
     sequence.layout = "numbered";
-    sequence.frames = numbered_files(images, ".png", frames_per_s);
+    for (const char* ending : {".png", ".pgm", ".npy"})
+      if (sequence.frames.empty()) sequence.frames = numbered_files(images, ending, frames_per_s);
     sequence.depth_scale = kUsualDepthScale;
     read_truth(folder, sequence);
   }
   read_camera_in(folder, sequence);
   if (sequence.frames.empty())
-    throw io_error(folder, "expected depth.txt, frame-000000.depth.png ... or numbered .png files, found no image");
+    throw io_error(
+        folder, "expected depth.txt, frame-000000.depth.png ... or numbered .png, .pgm or .npy files, found no image");
   return sequence;
 }
 
@@ -120,7 +122,7 @@ std::optional<DepthFrame> DepthSequenceReader::next() {
   const DepthFrameFile& file = frames_[next_++];
   DepthFrame frame{file.stamp_s, {}, {}};
   try {
-    frame.image = read_depth_png(file.path, depth_scale_);
+    frame.image = read_depth_image(file.path, depth_scale_);
   } catch (const IoError& error) {
     frame.problem = error.what();
     return frame;

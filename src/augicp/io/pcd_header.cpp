@@ -106,7 +106,8 @@ class HeaderParser {
     for (std::size_t i = 0; i < names.values.size(); ++i) {
       PcdField field{std::string(names.values[i]), type(types, sizes, i)};
       if (counts) field.count = count(*counts, i, "a count");
-      if (field.count == 0 || field.count > kMaxCount)
+      const std::uint64_t least = field.is_padding() ? 0 : 1;  // some writers pad with nothing
+      if (field.count < least || field.count > kMaxCount)
         fail(counts->line, fmt::format("expected a count from 1 to {}, found {}", kMaxCount, field.count));
       fields.push_back(std::move(field));
     }

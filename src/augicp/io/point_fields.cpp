@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/point_fields.h"
 
-#include <bit>
-
 namespace augicp {
 
 double PointField::at(std::size_t row, std::size_t k) const {
-  constexpr ByteOrder kNative = std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
-  return read_scalar(values.data() + row * row_bytes() + k * num_bytes(type), type, kNative);
+  return read_scalar(values.data() + row * row_bytes() + k * num_bytes(type), type, kNativeOrder);
 }
 
 const PointField* PointFields::find(std::string_view lower_case_name) const {

@@ -8,6 +8,7 @@
 
 #include "augicp/io/format.h"
 #include "augicp/io/number_list.h"
+#include "augicp/io/pose_table.h"
 #include "augicp/io/text_lines.h"
 #include "augicp/io/text_points.h"
 
@@ -70,6 +71,12 @@ PoseFile parse_rows(const FileBytes& file, std::size_t num_values) {
 
 PoseFile parse_poses(const FileBytes& file) {
   check_is_text(file);
+  TextLines lines(without_bom(file.bytes));
+  if (trimmed(lines.next_not_blank().value_or("")).starts_with('{')) return {parse_pose_objects(file), true};
+  if (const PoseHeader header = pose_header(file); !header.names.empty()) {
+    const bool is_tum = header.is_comment && find_pose_columns(header.names)->are_tum(header.names.size());
+    if (!is_tum) return {parse_pose_table(file, header.names), true};
+  }
   const std::size_t num_values = num_values_of_first_line(file);
   if (num_values == kNumRows || num_values == kNumRows + 1) return parse_rows(file, num_values);
   return {parse_tum_trajectory(file), true};

@@ -8,7 +8,8 @@
 
 namespace augicp {
 
-// The forms, by the number of values in the first line that has any:
+// The forms: a JSON object a line, or a table whose header names the columns (EuRoC, spreadsheets, exported topics),
+// see pose_table.h; else by the number of values in the first line that has any:
 //    8  timestamp tx ty tz qx qy qz qw (TUM), see trajectory_file.h
 //   12  the first three rows of a pose, row by row (KITTI)
 //   13  a timestamp in seconds, then these twelve

@@ -111,5 +111,46 @@ TEST(ReadNpy, FarCoordinatesLoseNothing) {
       "a.npy", [](const std::vector<double>& v) { return npy("<f8", "False", "(3, 3)", packed(v)); });
 }
 
+TEST(ReadNpy, IntegersAndHalvesAreNumbers) {
+  EXPECT_EQ(parse("a.npy", npy("<i2", "False", "(2, 3)", packed<std::int16_t>({1, -2, 3, 4, 5, -600}))).cloud.points,
+            (std::vector<Vec3f>{{1, -2, 3}, {4, 5, -600}}));
+  EXPECT_EQ(parse("a.npy", npy("|u1", "True", "(2, 3)", packed<std::uint8_t>({1, 4, 2, 5, 3, 255}))).cloud.points,
+            (std::vector<Vec3f>{{1, 2, 3}, {4, 5, 255}}));
+  // One, minus two, the largest, the least above zero, infinity, NaN; IEEE 754, table 3.5.
+  const CloudFile halves = parse(
+      "a.npy", npy("<f2", "False", "(3, 3)",
+                   packed<std::uint16_t>({0x3c00, 0xc000, 0x7bff, 0x0001, 0x0400, 0x8000, 0x7c00, 0x3c00, 0x7e00})));
+  EXPECT_EQ(halves.cloud.points, (std::vector<Vec3f>{{1, -2, 65504}, {std::exp2(-24.0f), std::exp2(-14.0f), -0.0f}}));
+  EXPECT_EQ(halves.report.num_not_finite, 1u);
+}
+
+TEST(ReadNpy, StructuredArraysHaveNames) {
+  std::string header = npy("<f4", "False", "(2,)", "");
+  const std::string descr =
+      "[('intensity', '<u2'), ('y', '<f4'), ('x', '<f8'), ('', '|V3'), ('z', '<f4'), ('rgb', '|u1', (3,))]";
+  const auto structured = [&](const std::string& members, const std::string& shape, const std::string& body) {
+    const std::string text = "{'descr': " + members + ", 'fortran_order': False, 'shape': " + shape + ", }\n";
+    return std::string("\x93NUMPY\x01\x00", 8) + packed<std::uint16_t>({static_cast<std::uint16_t>(text.size())}) +
+           text + body;
+  };
+  std::string body;
+  for (int i = 0; i < 2; ++i)
+    body += packed<std::uint16_t>({static_cast<std::uint16_t>(7 + i)}) + packed<float>({2}) +
+            packed<double>({1.0 + i}) + "abc" + packed<float>({3}) + std::string("RGB");
+  const CloudFile file = parse("a.npy", structured(descr, "(2,)", body), {.keep_fields = true});
+  EXPECT_EQ(file.cloud.points, (std::vector<Vec3f>{{1, 2, 3}, {2, 2, 3}}));
+  EXPECT_EQ(file.cloud.intensities, (std::vector<float>{7, 8}));
+  ASSERT_EQ(file.fields.fields.size(), 2u);
+  EXPECT_EQ(file.fields.fields[1].values, "RGBRGB");
+  EXPECT_EQ(parse("a.npy", structured(descr, "(1, 2)", body)).grid->width, 2);
+  for (std::size_t length = 0; length < body.size(); ++length)
+    EXPECT_NE(testing::refusal("a.npy", structured(descr, "(2,)", body.substr(0, length))), "") << length;
+  for (const char* wrong : {"[('x', '<f4')]", "[]", "[('x', '<f4'", "[('x', '<f4', (0,))]", "[('x', 'O')]",
+                            "[('x', '<f4'), ('y', '<f4'), ('z', '<f4', (2,))]",
+                            "[('x', '<f4'), ('y', '>f4'), ('z', '<f4')]", "[('x', '<V99999')]"})
+    EXPECT_NE(testing::refusal("a.npy", structured(wrong, "(1,)", std::string(100, 'a'))), "") << wrong;
+  expect_refused("a.npy", structured(descr, "(1, 1, 2)", body), "expected the shape (N,) or (H, W)");
+}
+
 }  // namespace
 }  // namespace augicp

@@ -231,5 +231,16 @@ TEST(ReadPcd, FarCoordinatesLoseNothing) {
   });
 }
 
+TEST(ReadPcd, PaddingMayHaveNoBytes) {
+  const std::string header =
+      "VERSION 0.7\nFIELDS x _ y z\nSIZE 4 1 4 4\nTYPE F U F F\nCOUNT 1 0 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n";
+  const std::vector<Vec3f> expected{{1, 2, 3}, {4, 5, 6}};
+  EXPECT_EQ(testing::parse("a.pcd", header + "DATA ascii\n1 2 3\n4 5 6\n").cloud.points, expected);
+  const std::string body = testing::packed<float>({1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(testing::parse("a.pcd", header + "DATA binary\n" + body).cloud.points, expected);
+  testing::expect_refused("a.pcd", testing::with(header, "COUNT 1 0", "COUNT 0 0") + "DATA ascii\n1 2\n4 5\n",
+                          "expected a count from 1");
+}
+
 }  // namespace
 }  // namespace augicp

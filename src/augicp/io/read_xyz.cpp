@@ -41,15 +41,6 @@ std::vector<std::string> column_names(std::string_view line) {
   return names;
 }
 
-// The next line that is not a comment; the last comment before it stands in `comment`, empty where there is none.
-std::string_view next_content(TextLines& lines, std::string_view* comment = nullptr) {
-  while (const auto line = lines.next_not_blank()) {
-    if (!trimmed(*line).starts_with('#')) return *line;
-    if (comment) *comment = *line;
-  }
-  return {};
-}
-
 // Whether the names are x, y and z, each once, beside others.
 bool name_positions(std::span<const std::string> names) {
   return std::all_of(kCoordinateNames.begin(), kCoordinateNames.end(), [&](std::string_view coordinate) {
@@ -57,6 +48,15 @@ bool name_positions(std::span<const std::string> names) {
              return name.size() == 1 && (name[0] | ('a' - 'A')) == coordinate[0];
            }) == 1;
   });
+}
+
+// The next line that is not a comment; the last comment before it that names positions stands in `comment`.
+std::string_view next_content(TextLines& lines, std::string_view* comment = nullptr) {
+  while (const auto line = lines.next_not_blank()) {
+    if (!trimmed(*line).starts_with('#')) return *line;
+    if (comment && name_positions(column_names(*line))) *comment = *line;
+  }
+  return {};
 }
 
 // The columns that a comment before the first point names, as in "# r g b x y z"; empty where it names no positions, or

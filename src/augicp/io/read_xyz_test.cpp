@@ -105,5 +105,12 @@ TEST(ReadXyz, LinesThatAreNoPointAreErrors) {
 // robustness 15
 TEST(ReadXyz, FarCoordinatesLoseNothing) { testing::expect_far_coordinates_survive("a.xyz", testing::rows_of_three); }
 
+// Whatever other comments stand around it.
+TEST(ReadXyz, AnyCommentBeforeTheFirstPointMayNameTheColumns) {
+  const Cloud cloud =
+      testing::parse("a.txt", "# scan 7\n# r g b x y z\n# made by a scanner\n9 9 9 1 2 3\n9 9 9 4 5 6\n").cloud;
+  EXPECT_EQ(cloud.points, (std::vector<Vec3f>{{1, 2, 3}, {4, 5, 6}}));
+}
+
 }  // namespace
 }  // namespace augicp

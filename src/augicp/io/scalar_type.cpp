@@ -2,19 +2,16 @@
 #include "augicp/io/scalar_type.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 namespace augicp {
 namespace {
 
-constexpr ByteOrder kNative = std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
-
 template <typename T>
 double read_as(const char* bytes, ByteOrder order) {
   char native[sizeof(T)];
   std::memcpy(native, bytes, sizeof(T));
-  if (order != kNative) std::reverse(native, native + sizeof(T));
+  if (order != kNativeOrder) std::reverse(native, native + sizeof(T));
   T value;
   std::memcpy(&value, native, sizeof(T));
   return static_cast<double>(value);
@@ -34,7 +31,7 @@ double read_scalar(const char* bytes, ScalarType type, ByteOrder order) {
 void copy_scalar(const char* bytes, ScalarType type, ByteOrder order, char* native) {
   const std::size_t size = num_bytes(type);
   std::memcpy(native, bytes, size);
-  if (order != kNative) std::reverse(native, native + size);
+  if (order != kNativeOrder) std::reverse(native, native + size);
 }
 
 }  // namespace augicp

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cassert>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -11,6 +11,9 @@ namespace augicp {
 enum class ScalarType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Int64, Uint64, Float32, Float64 };
 
 enum class ByteOrder : std::uint8_t { Little, Big };
+
+inline constexpr ByteOrder kNativeOrder =
+    std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
 
 std::size_t num_bytes(ScalarType type);
 

@@ -15,18 +15,14 @@
 #include "augicp/io/pose_numbers.h"
 #include "augicp/io/text_lines.h"
 #include "augicp/io/text_points.h"
+#include "augicp/io/trajectory_builder.h"
 
 namespace augicp {
 namespace {
 
 constexpr const char* kColumns = "timestamp tx ty tz qx qy qz qw";
 constexpr std::size_t kNumColumns = 8;
-using Numbers = std::array<double, kNumColumns>;
-
-const char* likely_unit(double stamp) {
-  const double size = std::abs(stamp);
-  return size < 1e14 ? "milliseconds" : size < 1e17 ? "microseconds" : "nanoseconds";
-}
+using Numbers = PoseNumbers;
 
 // The fault of a line, for the message that names the line.
 using Fault = std::invalid_argument;
@@ -47,16 +43,6 @@ Numbers numbers_of(std::string_view content) {
   return numbers;
 }
 
-StampedPose pose_of(std::string_view content, const Trajectory& before) {
-  const Numbers numbers = numbers_of(content);
-  const double stamp_s = numbers[0];
-  if (std::abs(stamp_s) > kMaxStamp_s)
-    throw Fault(fmt::format("expected a timestamp in seconds, found {}: {}?", stamp_s, likely_unit(stamp_s)));
-  if (!before.empty() && stamp_s < before.back().stamp_s)
-    throw Fault(fmt::format("expected timestamps that increase, found {} after {}", stamp_s, before.back().stamp_s));
-  return {stamp_s, pose_of_numbers("pose", std::span(numbers).subspan<1>())};
-}
-
 // The shortest text in fixed notation that reads back as the same number, with at least 6 decimals.
 std::string stamp_text(double stamp_s) {
   std::array<char, 512> buffer{};  // the smallest number has 323 zeros after the point
@@ -73,29 +59,20 @@ std::string stamp_text(double stamp_s) {
 
 TrajectoryFile parse_tum_trajectory(const FileBytes& file) {
   check_is_text(file);
-  TrajectoryFile read;
-  std::uint64_t num_repeated = 0, first_repeated = 0;
+  TrajectoryBuilder builder;
   TextLines lines(without_bom(file.bytes));
   while (const auto line = lines.next()) {
     const std::string_view content = trimmed(line->substr(0, line->find('#')));
     if (content.empty()) continue;
     try {
-      const StampedPose pose = pose_of(content, read.trajectory);
-      const bool is_repeated = !read.trajectory.empty() && pose.stamp_s == read.trajectory.back().stamp_s;
-      if (!is_repeated)
-        read.trajectory.push_back(pose);
-      else if (num_repeated++ == 0)
-        first_repeated = lines.line();
+      builder.add(pose_of_table(numbers_of(content), 1.0), lines.line());
     } catch (const Fault& fault) {
       throw io_error_at_line(file.path, lines.line(), fault.what());
     }
   }
+  TrajectoryFile read = builder.finished();
   if (read.trajectory.empty())
     throw io_error(file.path, fmt::format("expected poses, {} a line, found none", kColumns));
-  if (num_repeated > 0)
-    read.warnings.push_back(
-        fmt::format("{} poses repeat the stamp before, first in line {}: of equal stamps the first pose is kept",
-                    num_repeated, first_repeated));
   if (!ends_with_a_line_end(file.bytes)) read.warnings.push_back(kNoLineEndWarning);
   return read;
 }

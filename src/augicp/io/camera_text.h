@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Cameras in the texts that other programs write.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "augicp/sensor/depth_camera.h"
+
+namespace augicp {
+
+// JSON of Open3D (intrinsic_matrix column by column, or row by row), or of a RealSense camera (fx, fy, ppx, ppy,
+// coeffs, model); "distortion" and "readout_s" may follow. Throws std::invalid_argument.
+DepthCamera camera_from_json(std::string_view text);
+
+// YAML of ROS (camera_matrix with data, or k; distortion_coefficients or d; image_width or width) or of OpenCV. Throws
+// std::invalid_argument.
+DepthCamera camera_from_yaml(std::string_view text);
+
+// Whether the text has the keys of such a file.
+bool looks_like_yaml(std::string_view text);
+
+// A matrix row by row: fx 0 cx, 0 fy cy, 0 0 1. Throws std::invalid_argument for any other.
+Pinhole pinhole_from_matrix(std::span<const double, 9> rows);
+
+}  // namespace augicp
