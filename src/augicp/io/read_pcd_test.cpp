@@ -205,7 +205,7 @@ TEST(ReadPcd, HeadersThatMakeNoSenseAreErrors) {
        "line 4: expected type I or U of size 1, 2, 4 or 8, or F of 4 or 8; found 'F' of 3"},
       {with(kText, "TYPE F", "TYPE Q"), "found 'Q' of 4"},
       {with(kText, "SIZE 4", "SIZE 2"), "found 'F' of 2"},
-      {with(kText, "COUNT 1 1 1 3", "COUNT 1 1 1 0"), "line 6: expected a count from 1 to 65536, found 0"},
+      {with(kText, "COUNT 1 1 1 3", "COUNT 0 1 1 3"), "line 6: expected a count from 1 to 65536, found 0"},
       {with(kText, "COUNT 1 1 1 3", "COUNT 1 1 1 4294967296"), "found 4294967296"},
       {with(kText, "COUNT 1", "COUNT 2"), "expected COUNT 1 of field 'x', found 2"},
       {with(kText, "VIEWPOINT 0", "VIEWPOINT"), "line 9: expected VIEWPOINT tx ty tz qw qx qy qz"},
