@@ -2,6 +2,7 @@
 """The oracles of what is no cloud: images, trajectories, lists, poses and cameras. See hostile_oracles.py."""
 
 import json
+import re
 import struct
 import zlib
 
@@ -102,12 +103,45 @@ def transform(data):
     return Holds(1, [sum(map(abs, position))])
 
 
+def json_camera(data):
+    """fx, fy, cx, cy."""
+    found = json.loads(without_bom(data).decode("utf-8"))
+    if "intrinsic_matrix" not in found:
+        return [float(found[key]) for key in ("fx", "fy", "ppx" if "ppx" in found else "cx", "ppy" if "ppx" in found else "cy")]
+    k = numbers_under(data, "intrinsic_matrix")
+    require(len(k) == 9)
+    by_rows = k[6] == k[7] == 0 and (k[2] or k[5])
+    return [k[0], k[4], k[2], k[5]] if by_rows else [k[0], k[4], k[6], k[7]]
+
+
+def yaml_list(text, keys):
+    """The numbers under the first of these keys, or None."""
+    for key in keys:
+        behind = re.search(rf"(?:^|[\r\n])[ \t]*{key}:([^\r\n]*)(.*)", text, re.S)
+        if not behind:
+            continue
+        line, rest = behind[1].strip(" \t"), behind[1] + behind[2]
+        if line == "" or line.startswith(("!!", "{")):
+            rest = re.search(r"(?:^|[\r\n])[ \t]*data:(.*)", rest, re.S)[1]
+        elif not line.startswith("["):
+            return [number(word) for word in line.replace(",", " ").split()]
+        return [number(word) for word in re.search(r"\[([^\]]*)\]", rest, re.S)[1].replace(",", " ").split()]
+    return None
+
+
 def camera(data):
-    numbers = numbers_under(data, "intrinsic_matrix") if is_json(data) else sum(rows_of_numbers(data), [])
-    require(len(numbers) in (4, 9))
+    text = text_of(data)
     if is_json(data):
-        numbers = [numbers[0], numbers[4], numbers[6], numbers[7]]
-    elif len(numbers) == 9 and numbers[1] == 0.0:
+        return Holds(1, [sum(map(abs, json_camera(data)))])
+    if re.search(r"(?:^|[\r\n])[ \t]*(camera_matrix|K|k):", text):
+        numbers = yaml_list(text, ("camera_matrix", "K", "k"))
+        require(len(numbers) == 9 and yaml_list(text, ("distortion_coefficients", "D", "d")) is not None)
+    else:
+        numbers = sum(rows_of_numbers(data), [])
+    require(len(numbers) in (4, 9, 16))
+    if len(numbers) == 16:
+        numbers = [numbers[i] for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)]
+    if len(numbers) == 9 and abs(numbers[1]) <= 10:
         numbers = [numbers[0], numbers[4], numbers[2], numbers[5]]
     return Holds(1, [sum(map(abs, numbers[:4]))])
 

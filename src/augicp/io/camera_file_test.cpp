@@ -81,7 +81,8 @@ TEST(CameraFile, OtherProgramsWriteTheSameCamera) {
       640, 480);
   expect_camera(parse_camera({"",
                               "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
-                              "   data: [ 585., 0., 320., 0., 586.5,\n       240.25, 0., 0., 1. ]\n"}),
+                              "   data: [ 585., 0., 320., 0., 586.5,\n       240.25, 0., 0., 1. ]\n"
+                              "distortion_coefficients: !!opencv-matrix\n   data: [ 0., 0., 0., 0. ]\n"}),
                 0, 0);
 }
 
@@ -116,6 +117,7 @@ TEST(CameraFile, WhatIsNoCameraIsRefused) {
       {"camera_matrix:\n  rows: 3\n", "expected data"},
       {"k: [585, 0, 320\n", "list in brackets"},
       {"k: [585, 0, 320]\n", "found 3 numbers"},
+      {"k: [585, 0, 320, 0, 586.5, 240.25, 0, 0, 1]\n", "may be cut"},
       {"k: [585, x, 320]\n", "expected a number"},
       {"distortion_model: equidistant\nk: [585, 0, 320, 0, 586.5, 240.25, 0, 0, 1]\n", "plumb_bob"},
       {R"({"fx": 1, "fy": 1, "ppx": 1})", "\"ppy\""},

@@ -174,7 +174,9 @@ DepthCamera camera_from_yaml(std::string_view text) {
     throw std::invalid_argument(fmt::format("camera: expected a 3x3 matrix, found {} numbers", k.size()));
   DepthCamera camera{pinhole_from_matrix(std::span<const double, 9>(k.data(), 9)), {}};
   const Numbers lens = first_value(text, {"distortion_coefficients", "D", "d"});
-  if (lens && !lens->empty()) camera.distortion = distortion_of(lens, "distortion_coefficients");
+  if (!lens)
+    throw std::invalid_argument("camera: expected \"distortion_coefficients\" in the YAML: the file may be cut");
+  if (!lens->empty()) camera.distortion = distortion_of(lens, "distortion_coefficients");
   camera.pinhole.width = image_side(first_value(text, {"image_width", "width"}), "image_width");
   camera.pinhole.height = image_side(first_value(text, {"image_height", "height"}), "image_height");
   return camera;
