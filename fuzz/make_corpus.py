@@ -125,6 +125,84 @@ def las_files():
     yield "compressed", bytes(compressed)
 
 
+def stl_files():
+    corners = numpy.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], "f4")
+    faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+    body = b"".join(bytes(12) + corners[list(face)].tobytes() + bytes(2) for face in faces)
+    yield "binary", b"solid, or not".ljust(80) + struct.pack("<I", 4) + body
+    text = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % tuple(corners[i]) for i in face) +
+                   "endloop\nendfacet\n" for face in faces)
+    yield "ascii", f"solid a\n{text}endsolid a\n".encode()
+
+
+def obj_files():
+    yield "polygons", (b"# a box\nv 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 0 0 3\nvn 0 0 1\nvt 0 0\n"
+                       b"f 4 3 2 1\nf -5/1/1 -4/1/1 -1/1/1\nf 2//1 3//1 5//1\n")
+    yield "vertices", b"o points\nv 1 2 3 0.5 0.5 0.5\nv 4 5 6\n"
+
+
+def text_in_bag(text):
+    return struct.pack("<I", len(text)) + text
+
+
+def message_of(cdr):
+    """A PointCloud2 of three points x y z ring."""
+    out = bytearray(b"\0\1\0\0" if cdr else b"")
+
+    def number(value):
+        out.extend(b"\0" * (-len(out) % 4 if cdr else 0) + struct.pack("<I", value))
+
+    def text(value):
+        number(len(value) + cdr)
+        out.extend(value + b"\0" * cdr)
+    for value in (() if cdr else (9,)) + (7, 8):
+        number(value)
+    text(b"lidar")
+    for value in (1, 3, 4):
+        number(value)
+    for i, name in enumerate((b"x", b"y", b"z", b"ring")):
+        text(name)
+        number(4 * i)
+        out.append(7 if i < 3 else 6)
+        number(1)
+    out.append(0)
+    data = b"".join(struct.pack("<3fI", *point, i) for i, point in enumerate(POINTS[:3]))
+    for value in (16, 48, len(data)):
+        number(value)
+    return bytes(out) + data + b"\1"
+
+
+def point_cloud2_files():
+    yield "cdr", b"\0" + message_of(True)
+    yield "ros1", b"\1" + message_of(False)
+
+
+def mcap_files():
+    def record(opcode, content):
+        return struct.pack("<BQ", opcode, len(content)) + content
+    start = b"\x89MCAP0\r\n" + record(1, text_in_bag(b"ros2") + text_in_bag(b""))
+    schema = record(3, struct.pack("<H", 1) + text_in_bag(b"sensor_msgs/msg/PointCloud2") + text_in_bag(b"ros2msg") + text_in_bag(b""))
+    channel = record(4, struct.pack("<HH", 1, 1) + text_in_bag(b"/points") + text_in_bag(b"cdr") + struct.pack("<I", 0))
+    message = record(5, struct.pack("<HIQQ", 1, 0, 5, 5) + message_of(True))
+    end = record(15, bytes(4)) + record(2, bytes(20)) + b"\x89MCAP0\r\n"
+    yield "plain", start + schema + channel + message + end
+    for name, compression in (("chunk", b""), ("zstd", b"zstd")):
+        content = schema + channel + message
+        chunk = struct.pack("<QQQI", 5, 5, len(content), 0) + text_in_bag(compression) + struct.pack("<Q", len(content)) + content
+        yield name, start + record(6, chunk) + end
+
+
+def rosbag1_files():
+    def header(**values):
+        return text_in_bag(b"".join(text_in_bag(name.encode() + b"=" + value) for name, value in values.items()))
+    connection = header(op=b"\7", conn=bytes(4), topic=b"/points") + header(topic=b"/points", type=b"sensor_msgs/PointCloud2")
+    message = header(op=b"\2", conn=bytes(4), time=bytes(8)) + text_in_bag(message_of(False))
+    for name, compression in (("plain", b"none"), ("bz2", b"bz2")):
+        chunk = connection + message
+        yield name, (b"#ROSBAG V2.0\n" + header(op=b"\3", index_pos=struct.pack("<Q", 99)) + text_in_bag(b" " * 20) +
+                     header(op=b"\5", compression=compression, size=struct.pack("<I", len(chunk))) + text_in_bag(chunk))
+
+
 def kitti_files():
     sweep = numpy.hstack([POINTS[:6], numpy.arange(6, dtype="f4")[:, None] / 6])
     yield "sweep", sweep.tobytes()
@@ -218,7 +296,8 @@ def align_files():
     yield "outlier", bytes((1, 200, 2, 0x40)) + guess + POINTS.tobytes() + struct.pack("<3f", 1e17, 0, 0) + POINTS.tobytes()
 
 
-FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files, "depth_pgm": depth_pgm_files, "depth_npy": depth_npy_files,
+FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "stl": stl_files, "obj": obj_files, "point_cloud2": point_cloud2_files, "mcap": mcap_files,
+         "rosbag1": rosbag1_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files, "depth_pgm": depth_pgm_files, "depth_npy": depth_npy_files,
          "grey_png": grey_png_files, "sequence": sequence_files, "align": align_files,
          "xyz": corpus_texts.XYZ.items, "image_list": corpus_texts.IMAGE_LIST.items, "trajectory": corpus_texts.TRAJECTORY.items,
          "poses": corpus_texts.POSES.items, "transform": corpus_texts.TRANSFORM.items, "camera": corpus_texts.CAMERA.items,

@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import random
+import sqlite3
 import struct
 import subprocess
 import sys
@@ -48,6 +49,26 @@ def write_wall(path, shift):
 def binary_points(path):
     """Of a PLY file with three floats a point, as data/room_pair has them."""
     return struct.iter_unpack("<fff", path.read_bytes().split(b"end_header\n", 1)[1])
+
+
+def point_cloud2(stamp_s, points):
+    """The message in CDR: points x y z ring."""
+    message = bytearray(b"\0\1\0\0")
+
+    def numbers(*values):
+        message.extend(bytes(-len(message) % 4) + struct.pack(f"<{len(values)}I", *values))
+    numbers(stamp_s, 500000000, 6)
+    message.extend(b"lidar\0")
+    numbers(1, len(points), 4)
+    for i, name in enumerate((b"x\0", b"y\0", b"z\0", b"ring\0")):
+        numbers(len(name))
+        message.extend(name)
+        numbers(4 * i)
+        message.append(7 if i < 3 else 6)
+        numbers(1)
+    message.append(0)
+    numbers(16, 16 * len(points), 16 * len(points))
+    return bytes(message) + b"".join(struct.pack("<3fI", *point, i) for i, point in enumerate(points)) + b"\1"
 
 
 def matrix(path):
@@ -296,6 +317,34 @@ class CommandTest(unittest.TestCase):
         header = (self.folder / "extended.ply").read_bytes().split(b"end_header")[0].decode()
         for name in ("uchar red", "ushort ring", "double stamp", "float nx", "float tangent_x"):
             self.assertEqual(header.count(f"property {name}\n"), 1, name)
+
+    def test_recordings_become_scans(self):
+        bag = self.folder / "drive.db3"
+        database = sqlite3.connect(bag)
+        database.execute("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT, offered_qos_profiles TEXT)")
+        database.execute("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)")
+        for i, name in ((1, "/points"), (2, "/more_points"), (3, "/words")):
+            kind = "std_msgs/msg/String" if i == 3 else "sensor_msgs/msg/PointCloud2"
+            database.execute("INSERT INTO topics VALUES(?, ?, ?, 'cdr', '')", (i, name, kind))
+        clouds = [point_cloud2(second, [(second, 0, 1), (2, 3, 4)] if second != 11 else []) for second in (12, 10, 11)]
+        for topic, stamp, data in ((1, 3, clouds[0]), (1, 1, clouds[1]), (1, 2, clouds[2]), (2, 4, clouds[0]), (3, 5, b"x")):
+            database.execute("INSERT INTO messages(topic_id, timestamp, data) VALUES(?, ?, ?)", (topic, stamp, data))
+        database.commit()
+        database.close()
+        info = json.loads(run("info", bag, "--json", "-").stdout) if "built without" not in run("info", bag).stderr else self.skipTest("no SQLite")
+        self.assertEqual([(topic["name"], topic["num_messages"]) for topic in info["topics"]], [("/more_points", 1), ("/points", 3), ("/words", 1)])
+        self.assertIn("which --topic? It has clouds of /more_points (1), /points (3)", run("unpack", bag).stderr)
+        scans = self.folder / "scans"
+        finished = run("unpack", bag, "--topic", "/points", "--output", scans)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        self.assertIn("message 2: holds no points", finished.stderr)
+        self.assertEqual((scans / "times.txt").read_text().split(), ["10.500000000", "12.500000000"])
+        self.assertEqual(sorted(path.name for path in scans.iterdir()), ["000000.pcd", "000001.pcd", "times.txt"])
+        self.assertIn(b"FIELDS x y z ring\n", (scans / "000000.pcd").read_bytes())
+        self.assertEqual(json.loads(run("info", scans / "000001.pcd", "--json", "-").stdout)["max"], [12.0, 3.0, 4.0])
+        self.assertEqual(run("unpack", bag, "--topic", "/points", "--output", scans).returncode, 3, "the folder is not empty")
+        bag.write_bytes(bag.read_bytes()[:5000])
+        self.assertEqual(run("info", bag).returncode, 3)
 
     def test_units_that_differ_are_said(self):
         points = list(binary_points(ROOM / "source.ply"))[::20]

@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 
 AUGICP, PROJECT = Path(sys.argv[1]), Path(sys.argv[2])
-SUBCOMMANDS = ("align", "evaluate", "experiment", "info", "odometry", "surface")
+SUBCOMMANDS = ("align", "evaluate", "experiment", "info", "odometry", "surface", "unpack")
 
 
 def run(*words, timeout=120):

@@ -11,6 +11,7 @@
 #include "apps/augicp/command/info.h"
 #include "apps/augicp/command/odometry.h"
 #include "apps/augicp/command/surface.h"
+#include "apps/augicp/command/unpack.h"
 #include "apps/augicp/command/version.h"
 
 namespace augicp::app {
@@ -49,6 +50,7 @@ void set_up_command_line(CLI::App& app, int& exit_code) {
   add_info_command(app, exit_code);
   add_odometry_command(app, exit_code);
   add_surface_command(app, exit_code);
+  add_unpack_command(app, exit_code);
   refuse_options_as_values(app);
 }
 

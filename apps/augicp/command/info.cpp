@@ -8,6 +8,7 @@
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/output.h"
+#include "augicp/io/bag.h"
 #include "augicp/registration/registration.h"
 
 namespace augicp::app {
@@ -41,6 +42,21 @@ nlohmann::ordered_json info_json(const std::string& file, const Input& input) {
           {"warnings", input.report.warnings}};
 }
 
+nlohmann::ordered_json bag_json(const std::string& bag) {
+  nlohmann::ordered_json topics = nlohmann::ordered_json::array();
+  for (const BagTopic& topic : bag_topics(bag))
+    topics.push_back({{"name", topic.name}, {"type", topic.type}, {"num_messages", topic.num_messages}});
+  return {{"file", bag}, {"format", "recording"}, {"topics", topics}};
+}
+
+std::string bag_text(const nlohmann::ordered_json& info) {
+  std::string text = fmt::format("file     {}\n", info["file"].get<std::string>());
+  for (const auto& topic : info["topics"])
+    text += fmt::format("{:8} {} {}\n", topic["num_messages"].get<std::uint64_t>(), topic["name"].get<std::string>(),
+                        topic["type"].get<std::string>());
+  return text;
+}
+
 std::string info_text(const nlohmann::ordered_json& info) {
   const auto triple = [&](const char* key) {
     return fmt::format("{:.6g} {:.6g} {:.6g}", info[key][0].get<double>(), info[key][1].get<double>(),
@@ -60,9 +76,11 @@ std::string info_text(const nlohmann::ordered_json& info) {
 
 int run_info(const InfoArguments& arguments) {
   require_use_of_camera(arguments.input, {arguments.file});
-  const nlohmann::ordered_json info = info_json(arguments.file, read_input(arguments.file, arguments.input));
+  const bool is_recording = is_bag(arguments.file);
+  const nlohmann::ordered_json info =
+      is_recording ? bag_json(arguments.file) : info_json(arguments.file, read_input(arguments.file, arguments.input));
   if (!arguments.json.empty()) write_json(arguments.json, info);
-  if (arguments.json != "-") fmt::print("{}", info_text(info));
+  if (arguments.json != "-") fmt::print("{}", is_recording ? bag_text(info) : info_text(info));
   return kSuccess;
 }
 
@@ -71,14 +89,15 @@ int run_info(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Show the content of a file: points, bounds, normals, invalid points");
-  command->add_option("file", arguments->file, "A cloud or a depth image")->required();
+  command->add_option("file", arguments->file, "A cloud, a depth image or a recording")->required();
   add_input_options(*command, arguments->input);
   command->add_option("--json", arguments->json, "Write it as JSON to a file, or to stdout with -")->group("Output");
   command->footer(
       "Examples:\n"
       "  augicp info scan.ply\n"
       "  augicp info 000001.png --camera tum-fr1\n"
-      "  augicp info scan.pcd --json -");
+      "  augicp info scan.pcd --json -\n"
+      "  augicp info drive.mcap");
   command->callback([arguments, &exit_code] { exit_code = run_info(*arguments); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "augicp/io/read_kitti.h"
 #include "augicp/io/read_las.h"
+#include "augicp/io/read_mesh.h"
 #include "augicp/io/read_npy.h"
 #include "augicp/io/read_pcd.h"
 #include "augicp/io/read_ply.h"
@@ -21,7 +22,7 @@ struct Format {
 
 constexpr Format kFormats[] = {{".ply", parse_ply}, {".pcd", parse_pcd}, {".xyz", parse_xyz},   {".txt", parse_xyz},
                                {".csv", parse_xyz}, {".pts", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy},
-                               {".las", parse_las}, {".laz", parse_las}};
+                               {".las", parse_las}, {".laz", parse_las}, {".stl", parse_stl},   {".obj", parse_obj}};
 
 const Format& format_of(const std::filesystem::path& path) {
   const std::string extension = lower_case_extension(path);

@@ -164,12 +164,13 @@ TEST(WriteCloud, AFullDiskIsAnErrorAndLeavesNothing) {
 
 TEST(ReadCloud, AnUnknownExtensionIsRefusedWithTheKnownOnes) {
   const testing::TemporaryFolder folder;
-  write_file(folder / "cloud.stl", "solid\n");
+  write_file(folder / "cloud.glb", "solid\n");
   try {
-    read_cloud(folder / "cloud.stl");
+    read_cloud(folder / "cloud.glb");
     FAIL() << "no error";
   } catch (const IoError& error) {
-    for (const char* part : {"cloud.stl", ".ply .pcd .xyz .txt .csv .pts .bin .npy .las .laz", "found '.stl'"})
+    for (const char* part :
+         {"cloud.glb", ".ply .pcd .xyz .txt .csv .pts .bin .npy .las .laz .stl .obj", "found '.glb'"})
       EXPECT_THAT(error.what(), ::testing::HasSubstr(part));
   }
 }

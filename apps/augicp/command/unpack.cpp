@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/command/unpack.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "apps/augicp/command/exit_code.h"
+#include "apps/augicp/command/interruption.h"
+#include "augicp/core/error.h"
+#include "augicp/io/atomic_file.h"
+#include "augicp/io/bag.h"
+#include "augicp/io/write_cloud.h"
+
+namespace augicp::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPointCloud2 = "sensor_msgs/PointCloud2";
+
+struct UnpackArguments {
+  std::string bag, topic, output;
+  bool quiet = false;
+};
+
+// The topic of that name, or the only one of clouds. Throws IoError with all topics of clouds.
+std::string chosen_topic(const UnpackArguments& arguments) {
+  std::string known, only;
+  std::size_t num_known = 0;
+  for (const BagTopic& topic : bag_topics(arguments.bag)) {
+    if (topic.type != kPointCloud2) continue;
+    if (topic.name == arguments.topic) return topic.name;
+    known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", topic.name, topic.num_messages);
+    only = topic.name;
+    ++num_known;
+  }
+  if (num_known == 0) throw IoError(fmt::format("{}: has no topic of {}", arguments.bag, kPointCloud2));
+  if (arguments.topic.empty() && num_known == 1) return only;
+  throw IoError(fmt::format("{}: which --topic? It has clouds of {}", arguments.bag, known));
+}
+
+fs::path made_folder(const UnpackArguments& arguments) {
+  const fs::path bag = fs::path(arguments.bag).lexically_normal();
+  const fs::path name = bag.has_filename() ? bag.filename() : bag.parent_path().filename();
+  const fs::path folder =
+      arguments.output.empty() ? fs::path(name.stem().string() + "_scans") : fs::path(arguments.output);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
+  if (!fs::is_empty(folder, error) || error) throw IoError(folder.string() + ": expected an empty folder");
+  return folder;
+}
+
+// Where a sensor's driver states no stamp, the time of recording stands for it.
+double stamp_s(const PointCloud2& read, const BagMessage& message) {
+  constexpr double kNanoseconds = 1e9;
+  return static_cast<double>(read.stamp_ns != 0 ? read.stamp_ns : message.stamp_ns) / kNanoseconds;
+}
+
+int run_unpack(const UnpackArguments& arguments) {
+  const std::string topic = chosen_topic(arguments);
+  const fs::path folder = made_folder(arguments);
+  ReadOptions options;
+  options.keep_fields = true;
+  std::string times;
+  std::size_t num_messages = 0, num_written = 0;
+  visit_messages(arguments.bag, [&](const BagMessage& message) {
+    if (message.topic != topic) return true;
+    ++num_messages;
+    try {
+      const fs::path source = fmt::format("{}: {}, message {}", arguments.bag, topic, num_messages);
+      const PointCloud2 read = parse_point_cloud2(source, message.data, message.form, options);
+      const fs::path path = folder / fmt::format("{:06}.pcd", num_written);
+      write_whole([&] { write_cloud(path, read.file); });
+      times += fmt::format("{:.9f}\n", stamp_s(read, message));
+      ++num_written;
+    } catch (const IoError& error) {
+      fmt::print(stderr, "augicp: warning: {}\n", error.what());  // an empty scan, for instance
+    }
+    return true;
+  });
+  if (num_written == 0) throw IoError(fmt::format("{}: no message of {} has points", arguments.bag, topic));
+  write_whole([&] { write_file(folder / "times.txt", times); });
+  if (!arguments.quiet)
+    fmt::print("{} of {} clouds of {} are in {}\nnow: augicp odometry {}\n", num_written, num_messages, topic,
+               folder.string(), folder.string());
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_unpack_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<UnpackArguments>();
+  CLI::App* command = app.add_subcommand("unpack", "Write the clouds of a robot's recording as a folder of scans");
+  command->add_option("bag", arguments->bag, "A bag: .bag (ROS 1), .db3 or .mcap (ROS 2), or a folder of rosbag2")
+      ->required();
+  command->add_option("--topic", arguments->topic, "Which PointCloud2 (default: the only one; augicp info lists them)")
+      ->group("Input");
+  command->add_option("--output", arguments->output, "New or empty folder for scans and times.txt (default: BAG_scans)")
+      ->group("Output");
+  command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");
+  command->footer(
+      "Every scan becomes a .pcd with all its fields; times.txt has their stamps in seconds.\n"
+      "Examples:\n"
+      "  augicp info drive.mcap\n"
+      "  augicp unpack drive.mcap --topic /lidar/points --output scans\n"
+      "  augicp odometry scans");
+  command->callback([arguments, &exit_code] { exit_code = run_unpack(*arguments); });
+}
+
+}  // namespace augicp::app

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/bag.h"
+
+#include "augicp/io/atomic_file.h"
+#include "augicp/io/bag_testing.h"
+#include "augicp/testing/temporary_folder.h"
+
+namespace augicp {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const ReadOptions kKeep{.keep_fields = true};
+
+std::string refusal_of_message(const std::string& message, MessageForm form) {
+  try {
+    parse_point_cloud2("bag /points", message, form, {});
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PointCloud2, BothFormsHoldTheSameCloud) {
+  for (const bool is_cdr : {true, false})
+    for (const std::uint32_t point_step : {20u, 27u}) {
+      const MessageForm form = is_cdr ? MessageForm::Cdr : MessageForm::Ros1;
+      const PointCloud2 read = parse_point_cloud2("bag", testing::point_cloud2(is_cdr, point_step), form, kKeep);
+      EXPECT_EQ(read.stamp_ns, 7'000'000'008);
+      EXPECT_EQ(read.frame, "lidar");
+      EXPECT_EQ(read.file.cloud.points, (std::vector<Vec3f>{{0, 2, -3}, {2, 2, -3}}));
+      EXPECT_EQ(read.file.report.num_not_finite, 1u);
+      ASSERT_EQ(read.file.fields.fields.size(), 2u);
+      EXPECT_EQ(read.file.fields.find("ring")->at(1), 12.0);
+      EXPECT_EQ(read.file.fields.find("t")->at(1), 2000.0);
+    }
+}
+
+// robustness 1: all but the last byte, is_dense, counts.
+TEST(PointCloud2, CutsAreRefused) {
+  for (const bool is_cdr : {true, false}) {
+    const std::string message = testing::point_cloud2(is_cdr);
+    const MessageForm form = is_cdr ? MessageForm::Cdr : MessageForm::Ros1;
+    for (std::size_t length = 0; length + 1 < message.size(); ++length)
+      EXPECT_THAT(refusal_of_message(message.substr(0, length), form), HasSubstr("bag /points")) << length;
+  }
+}
+
+TEST(PointCloud2, FieldsLieWithinTheirPoint) {
+  const std::string message = testing::point_cloud2(true);
+  EXPECT_THAT(refusal_of_message(testing::with(message, std::string("\x14\0\0\0", 4), std::string("\x13\0\0\0", 4)),
+                                 MessageForm::Cdr),
+              HasSubstr("field 't' within the 19 bytes"));
+  EXPECT_THAT(refusal_of_message("\x07\x07\x07\x07", MessageForm::Cdr), HasSubstr("expected CDR"));
+}
+
+void expect_the_recording(const std::filesystem::path& path) {
+  SCOPED_TRACE(path);
+  std::vector<std::string> seen;
+  visit_messages(path, [&](const BagMessage& message) {
+    seen.push_back(fmt::format("{} {} {} {}", message.topic, message.type, message.stamp_ns, message.data.size()));
+    return true;
+  });
+  const bool is_cdr = path.extension() != ".bag";
+  const std::string cloud = fmt::format(" {}", testing::point_cloud2(is_cdr).size());
+  EXPECT_THAT(seen, ElementsAre("/points sensor_msgs/PointCloud2 4" + cloud, "/other a/B 5 2",
+                                "/points sensor_msgs/PointCloud2 6" + cloud));
+  const std::vector<BagTopic> topics = bag_topics(path);
+  ASSERT_EQ(topics.size(), 2u);
+  EXPECT_EQ(topics[1].num_messages, 2u);
+  std::size_t count = 0;
+  visit_messages(path, [&](const BagMessage&) { return ++count < 2; });
+  EXPECT_EQ(count, 2u) << "the visitor ends the visit";
+}
+
+TEST(Bag, EveryMessageIsShown) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "a.mcap", testing::mcap());
+  write_file(folder / "a.bag", testing::rosbag1());
+  expect_the_recording(folder / "a.mcap");
+  expect_the_recording(folder / "a.bag");
+  EXPECT_TRUE(is_bag(folder / "a.bag"));
+  EXPECT_FALSE(is_bag(folder.path()));
+  std::filesystem::create_directory(folder / "rosbag2");
+  write_file(folder / "rosbag2" / "metadata.yaml", "rosbag2_bagfile_information:\n");
+  write_file(folder / "rosbag2" / "rosbag2_0.mcap", testing::mcap());
+  EXPECT_TRUE(is_bag(folder / "rosbag2"));
+  expect_the_recording(folder / "rosbag2");
+}
+
+std::string refusal_of_bag(const std::filesystem::path& path, const std::string& bytes) {
+  write_file(path, bytes);
+  try {
+    bag_topics(path);
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// robustness 1: behind the end of the data there is an index that is not needed.
+TEST(Bag, CutsAreRefused) {
+  const testing::TemporaryFolder folder;
+  const std::string mcap = testing::mcap(), bag = testing::rosbag1();
+  const std::size_t end_of_data = mcap.size() - 8 - 29 - 4;
+  for (std::size_t length = 0; length < end_of_data; length += 3)
+    EXPECT_NE(refusal_of_bag(folder / "a.mcap", mcap.substr(0, length)), "") << length;
+  std::size_t num_read = 0;
+  for (std::size_t length = 0; length < bag.size(); ++length)
+    num_read += refusal_of_bag(folder / "a.bag", bag.substr(0, length)).empty();
+  EXPECT_EQ(num_read, 3u) << "a bag cut between two records is a shorter one";
+}
+
+TEST(Bag, WhatIsNotReadIsSaid) {
+  const testing::TemporaryFolder folder;
+  EXPECT_THAT(refusal_of_bag(folder / "a.mcap", testing::mcap("zstd")), HasSubstr("mcap compress --compression none"));
+  EXPECT_THAT(refusal_of_bag(folder / "a.bag", testing::rosbag1("lz4")), HasSubstr("rosbag decompress"));
+  EXPECT_THAT(refusal_of_bag(folder / "a.bag", testing::with(testing::rosbag1(), testing::packed<std::uint64_t>({4109}),
+                                                             std::string(8, '\0'))),
+              HasSubstr("rosbag reindex"));
+  EXPECT_THAT(refusal_of_bag(folder / "a.db3", "no database"), HasSubstr("a.db3"));
+  EXPECT_THROW(bag_topics(folder / "nothing.bag"), IoError);
+}
+
+// Files of other programs, where they are.
+TEST(Bag, PublicFiles) {
+  const std::filesystem::path shared = std::filesystem::path(AUGICP_SHARED_DATA_DIR) / "formats";
+  if (!std::filesystem::is_directory(shared)) GTEST_SKIP() << "no folder " << shared;
+  EXPECT_TRUE(bag_topics(shared / "rosbag1/no-messages.bag").empty());
+  EXPECT_THROW(bag_topics(shared / "rosbag1/example-lz4.bag"), IoError);
+  const std::string message = read_bytes(shared / "dds_pointcloud2/dds_message.bin").bytes;
+  const PointCloud2 read = parse_point_cloud2("dds", message, MessageForm::Cdr, kKeep);
+  EXPECT_EQ(read.frame, "lidar_link");
+  EXPECT_EQ(read.file.report.num_declared, 64000u);
+  EXPECT_EQ(read.file.fields.find("ring")->type, ScalarType::Uint16);
+  EXPECT_NEAR(read.file.fields.find("timestamp")->at(0), 1e-9 * static_cast<double>(read.stamp_ns), 0.2);
+}
+
+}  // namespace
+}  // namespace augicp
