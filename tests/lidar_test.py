@@ -107,6 +107,35 @@ class Lidar(unittest.TestCase):
             self.assertLess(np.abs(tum[k, 1:4] - pose[:, 3]).max(), 1e-6)
         self.assertLess(abs(tum[1, 0] - tum[0, 0] - 0.1), 1e-9)  # 10 scans a second
 
+    def timed_scans(self, name, times):
+        """The scans as text PLY files with the time of each point in a field t."""
+        folder = self.root / name
+        folder.mkdir()
+        for k in range(3):
+            points = np.fromfile(self.scans / f"{k}.bin", "<f4").reshape(-1, 4)
+            rows = np.column_stack([points[:, :3], times[:len(points)]])
+            fields = "".join(f"property {kind} {field}\n" for kind, field in
+                             (("float", "x"), ("float", "y"), ("float", "z"), ("double", "t")))
+            with open(folder / f"{k}.ply", "w") as file:
+                file.write(f"ply\nformat ascii 1.0\nelement vertex {len(rows)}\n{fields}end_header\n")
+                np.savetxt(file, rows, fmt="%.9g")
+        return folder
+
+    def test_times_of_a_field_are_used_and_their_unit_is_said(self):
+        count = len(np.fromfile(self.scans / "0.bin", "<f4")) // 4
+        for name, unit, scale in (("ns", "nanoseconds", 1e9), ("us", "microseconds", 1e6), ("s", "seconds", 1.0)):
+            folder = self.timed_scans(name, np.linspace(0.0, 0.1 * scale, count))
+            for times in ("auto", "T"):
+                out = self.root / f"{name} {times}"
+                result = run(folder, "--output", out, "--point-times", times)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn(f"field t, {unit}: sweeps of 0.1 s", result.stdout)
+                self.assertIn(unit, json.loads((out / "metrics.json").read_text())["point_times"])
+        self.assertEqual((self.root / "ns auto/trajectory.txt").read_text(), (self.root / "us T/trajectory.txt").read_text())
+        refused = run(folder, "--output", self.root / "refused", "--point-times", "stamp")
+        self.assertIn("expected a field 'stamp'", refused.stderr)
+        self.assertFalse((self.root / "refused").exists())
+
     def test_every_pose_but_the_first_has_a_covariance(self):
         rows = np.genfromtxt(self.output / "covariances.csv", delimiter=",", names=True)
         self.assertEqual(len(rows), NUM_SCANS - 1)

@@ -20,15 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr double kSaveEvery_ms = 5000.0;
 
-SweepShares shares_of(const Cloud& cloud, PointTimes point_times) {
-  if (point_times == PointTimes::Azimuth) return shares_from_azimuth(cloud);
-  return point_times == PointTimes::Auto ? shares_from_order(cloud) : SweepShares{};
-}
-
-FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, PointTimes point_times, int segment) {
+FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, const PointTimes& times, int segment) {
   try {
-    const Cloud cloud = read_cloud(scan.path).cloud;
-    return odometry.add(scan.stamp_s, cloud, shares_of(cloud, point_times));
+    const CloudFile file = read_timed(scan.path, times);
+    return odometry.add(scan.stamp_s, file.cloud, shares_of(file, scan.path, times));
   } catch (const IoError& error) {
     return unreadable_frame(scan.stamp_s, segment, error.what());
   }
@@ -72,8 +67,9 @@ void save(const OdometryRun& run, const fs::path& folder) {
   });
 }
 
-OdometryRun track_scans(const LidarInput& input, PointTimes point_times, LidarOdometry& odometry) {
+OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry) {
   OdometryRun run{input.name, input.sequence.layout, {}, 0.0, {}, {}};
+  run.point_times = input.point_times.in_words;
   ProgressBar bar(input.chosen.size(), "scans", input.progress);
   const Stopwatch all;
   double saved_ms = 0.0;
@@ -81,7 +77,7 @@ OdometryRun track_scans(const LidarInput& input, PointTimes point_times, LidarOd
   for (const std::size_t frame : input.chosen) {
     const ScanFile& scan = input.sequence.scans[frame];
     FrameRow row{frame, scan.path, {}, 0.0};
-    row.report = report_on(odometry, scan, point_times, segment);
+    row.report = report_on(odometry, scan, input.point_times, segment);
     segment = row.report.segment;
     row.time_ms = all.elapsed_ms() - run.total_ms;
     run.total_ms = all.elapsed_ms();
@@ -100,9 +96,12 @@ void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
   const std::string group = "LiDAR";
   command
       .add_option("--point-times", arguments.point_times,
-                  "When the points of a sweep were measured: auto: by their order, azimuth, or none: at once")
-      ->default_str("auto")
-      ->transform(choice<PointTimes>())
+                  "When the points of a sweep were measured: auto, azimuth, none (at once), or the name of a field")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--pose-at", arguments.odometry.pose_at, "The moment of a sweep to which its pose refers")
+      ->default_str(std::string(name_of(arguments.odometry.pose_at)))
+      ->transform(choice<PoseInstant>())
       ->group(group);
   command.add_option("--map-voxel", arguments.odometry.voxel_size, "Voxels of the map, metres (default: derived)")
       ->group(group);
@@ -112,8 +111,9 @@ void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
 OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& arguments) {
   LidarOptions options = arguments.odometry;
   options.covariance = true;
+  if (input.sequence.has_stamps) options.sweep_s = input.point_times.sweep_s;
   LidarOdometry odometry(options);
-  OdometryRun run = track_scans(input, arguments.point_times, odometry);
+  OdometryRun run = track_scans(input, odometry);
   require_readable(run, "scan");
   save(run, input.output);
   const Cloud map = odometry.map();

@@ -7,29 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "apps/augicp/command/point_times.h"
 #include "apps/augicp/command/progress.h"
 #include "apps/augicp/text/odometry.h"
-#include "augicp/core/words.h"
 #include "augicp/io/scan_sequence.h"
 #include "augicp/odometry/lidar_odometry.h"
 
 namespace augicp::app {
 
-// When the points of a sweep were measured.
-enum class PointTimes { Auto, Azimuth, None };
-}  // namespace augicp::app
-
-namespace augicp {
-template <>
-inline constexpr auto kWords<app::PointTimes> = std::to_array<Word<app::PointTimes>>(
-    {{app::PointTimes::Auto, "auto"}, {app::PointTimes::Azimuth, "azimuth"}, {app::PointTimes::None, "none"}});
-}  // namespace augicp
-
-namespace augicp::app {
-
 struct LidarArguments {
-  PointTimes point_times = PointTimes::Auto;
-  std::string map;  // a file for the map; empty: none
+  std::string point_times = "auto";  // see point_times_of()
+  std::string map;                   // a file for the map; empty: none
   LidarOptions odometry;
 };
 
@@ -40,7 +28,8 @@ struct LidarInput {
   std::string name;  // of the folder, as it was given
   ScanSequence sequence;
   std::vector<std::size_t> chosen;  // numbers of its scans, ascending
-  std::filesystem::path output;     // a folder that exists
+  PointTimes point_times;
+  std::filesystem::path output;  // a folder that exists
   Progress progress = Progress::Auto;
 };
 

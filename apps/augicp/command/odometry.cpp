@@ -175,6 +175,9 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   input.name = arguments.sequence;
   input.sequence = read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
   input.chosen = arguments.range.chosen(input.sequence.scans.size(), "scan");
+  std::vector<ScanFile> chosen;
+  for (const std::size_t i : input.chosen) chosen.push_back(input.sequence.scans[i]);
+  input.point_times = point_times_of(chosen, arguments.lidar.point_times);
   input.progress = arguments.quiet ? Progress::None : arguments.progress;
   const fs::path folder = input.output = made_output_folder(arguments.output, arguments.sequence);
   write_text_file(folder / "config.toml", effective_config(command, folder));

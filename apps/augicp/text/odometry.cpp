@@ -76,6 +76,7 @@ nlohmann::ordered_json metrics_json(const OdometryRun& run) {
                               {"layout", run.layout},
                               {"num_frames", run.rows.size()},
                               {"num_poses", trajectory_of(run).size()}};
+  if (!run.point_times.empty()) json["point_times"] = run.point_times;
   for (const auto& [status, word] : kWords<FrameStatus>) json["num_" + std::string(word)] = num_with(run, status);
   json["timing_ms"] = {{"total", run.total_ms}, {"median_frame", median_time_ms(run)}};
   json["frames_per_s"] = frames_per_s(run);
@@ -87,6 +88,7 @@ nlohmann::ordered_json metrics_json(const OdometryRun& run) {
 
 std::string summary_text(const OdometryRun& run) {
   std::string text = fmt::format("sequence   {} ({}, {} frames)\n", run.sequence, run.layout, run.rows.size());
+  if (!run.point_times.empty()) text += fmt::format("times      {}\n", run.point_times);
   text += fmt::format("frames     {}\n", counts_text(run));
   text += fmt::format("time       {:.1f} s, {:.1f} frames/s, median {:.1f} ms a frame\n", run.total_ms / 1000.0,
                       frames_per_s(run), median_time_ms(run));

@@ -26,6 +26,7 @@ struct OdometryRun {
   double total_ms = 0.0;
   std::optional<Evaluation> evaluation;
   std::string evaluation_problem;  // why there is no evaluation although a truth was given
+  std::string point_times = {};    // of a LiDAR: how the times of its points are known; else empty
 };
 
 // The frames that have a pose.

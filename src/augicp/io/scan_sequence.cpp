@@ -148,6 +148,7 @@ ScanSequence read_scan_sequence(const fs::path& folder, double scans_per_s) {
                     : parent == "velodyne"                ? "KITTI odometry"
                                                           : "KITTI raw";
   const auto list = stamps_file(folder, scans.front());
+  sequence.has_stamps = list.has_value();
   std::vector<double> stamps = list ? read_stamps(*list, scans.size()) : numbers_of(scans);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const double stamp_s = list ? stamps[i] : (stamps.empty() ? static_cast<double>(i) : stamps[i]) / scans_per_s;

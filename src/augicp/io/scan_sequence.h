@@ -14,6 +14,7 @@ struct ScanFile {
 };
 
 struct ScanSequence {
+  bool has_stamps = false;      // from a list; else the stamps are made from numbers and a rate
   std::string layout;           // "KITTI odometry", "KITTI raw" or "scans"
   std::vector<ScanFile> scans;  // in natural order (2.bin before 10.bin), unless stamps are given in that of the stamps
 };

@@ -46,6 +46,7 @@ TEST(ScanSequence, NamesWithoutNumbersCountFromZero) {
   const ScanSequence sequence = read_scan_sequence(folder.path(), 2.0);
   EXPECT_EQ(names(sequence), (std::vector<std::string>{"a.ply", "b.ply"}));
   EXPECT_EQ(stamps(sequence), (std::vector<double>{0.0, 0.5}));
+  EXPECT_FALSE(sequence.has_stamps);
 }
 
 TEST(ScanSequence, KittiLayoutsHaveTheirTimes) {
@@ -58,6 +59,7 @@ TEST(ScanSequence, KittiLayoutsHaveTheirTimes) {
         "2011-09-26 13:59:59.964389445\n2011-09-26 14:00:00.067389445\n");
   const ScanSequence first = read_scan_sequence(odometry.path(), 10.0);
   EXPECT_EQ(first.layout, "KITTI odometry");
+  EXPECT_TRUE(first.has_stamps);
   EXPECT_EQ(stamps(first), (std::vector<double>{0.0, 0.1037}));
   const ScanSequence second = read_scan_sequence(raw.path(), 10.0);
   EXPECT_EQ(second.layout, "KITTI raw");

@@ -78,6 +78,7 @@ LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepSha
   const bool is_skewed = !shares.empty();
   const Cloud straight = is_skewed ? without_skew(scan, shares, first_from_last, options_.num_threads) : Cloud{};
   const Cloud& cloud = is_skewed ? straight : scan;
+  attempt.is_straight = is_skewed;
   attempt.fine = downsample(cloud, std::max(voxel_size_ / kCellsPerVoxel, bounds(cloud).diagonal() / (1 << 20)));
   attempt.fine.directions.clear(), attempt.fine.structures.clear();
   attempt.source = downsample(attempt.fine, voxel_size_ / kSourceCellsPerVoxel);

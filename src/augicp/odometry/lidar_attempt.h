@@ -15,6 +15,7 @@ struct LidarOdometry::Attempt {
   Rigid3 world_from_sensor;
   double agreement = 0.0, rmse = 0.0;
   int iterations = 0;
+  bool is_straight = false;                 // freed of skew
   std::optional<double> gain_of_deskewing;  // of the agreement, where both were tried
 };
 

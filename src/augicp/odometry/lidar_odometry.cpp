@@ -32,6 +32,11 @@ double derived_voxel(const Cloud& scan) {
   return extent > 0.0 ? std::clamp(extent / kVoxelsPerExtent, kMinVoxel, kMaxVoxel) : 0.0;
 }
 
+// As a part of the sweep.
+double after_middle(PoseInstant instant) {
+  return instant == PoseInstant::Begin ? -0.5 : instant == PoseInstant::End ? 0.5 : 0.0;
+}
+
 }  // namespace
 
 void LidarOptions::check() const {
@@ -151,14 +156,17 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
   num_lost_ = is_astray ? num_lost_ + 1 : 0;
   if (report.status == FrameStatus::Lost) return report;
   report.world_from_camera = attempt.world_from_sensor;
+  if (attempt.is_straight)
+    report.world_from_camera = attempt.world_from_sensor * part_of(motion_of_sweep(stamp_s, attempt.world_from_sensor),
+                                                                   after_middle(options_.pose_at));
   usual_agreement_ += (usual_agreement_ == 0.0 ? 1.0 : kForgetting) * (attempt.agreement - usual_agreement_);
   if (is_astray) return report;
   if (attempt.gain_of_deskewing) gain_of_deskewing_ += *attempt.gain_of_deskewing, ++num_trials_;
   const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
   prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
   before_last_ = last_;
-  last_ = StampedPose{stamp_s, report.world_from_camera};
-  const Rigid3 since = inverse(keyframe_->world_from_sensor) * report.world_from_camera;
+  last_ = StampedPose{stamp_s, attempt.world_from_sensor};
+  const Rigid3 since = inverse(keyframe_->world_from_sensor) * attempt.world_from_sensor;
   report.is_keyframe = !is_astray && (since.translation.norm() > options_.keyframe_distance_voxels * voxel_size_ ||
                                       angle_between(since, Rigid3{}) > options_.keyframe_angle);
   if (report.is_keyframe) merge(attempt);

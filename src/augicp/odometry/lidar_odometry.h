@@ -16,6 +16,13 @@
 
 namespace augicp {
 
+// The moment of a sweep to which its pose refers: its first point, half of its time, or its last point.
+enum class PoseInstant { Begin, Middle, End };
+template <>
+inline constexpr auto kWords<PoseInstant> = std::to_array<Word<PoseInstant>>({{PoseInstant::Begin, "begin"},
+                                                                              {PoseInstant::Middle, "middle"},
+                                                                              {PoseInstant::End, "end"}});
+
 struct LidarOptions {
   // Edge length of the map's voxels, metres. Not set: a part of the first scan's extent. Every other length is in
   // voxels, so that one set of defaults serves rooms and streets.
@@ -37,6 +44,9 @@ struct LidarOptions {
   // Sweeps are straightened with the motion found, if the first ones that bend agree better with the map so. false:
   // scans are used as they came.
   bool deskew = true;
+
+  // Poses refer to this moment. The first one of a segment, and those of scans without shares, refer to the middle.
+  PoseInstant pose_at = PoseInstant::Middle;
 
   // How long a sweep takes, seconds. 0: the shortest time between two scans so far. Stamps may be in any unit if this
   // is in the same one.
@@ -63,7 +73,7 @@ struct LidarOptions {
   void check() const;
 };
 
-// Tracks one LiDAR. A pose refers to the middle of its sweep where the shares are known. Memory is bounded by the reach
+// Tracks one LiDAR. Memory is bounded by the reach
 // of the map. Not for concurrent use; independent objects may be used concurrently.
 class LidarOdometry {
  public:

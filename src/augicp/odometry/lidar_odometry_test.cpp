@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "augicp/core/error.h"
 #include "augicp/geometry/rotation.h"
@@ -75,6 +76,20 @@ TEST(LidarOdometry, FollowsASensorThatMovesDuringItsSweeps) {
     const FrameReport report = odometry.add(scan.stamp_s, scan.cloud, scan.shares);
     EXPECT_EQ(report.status, k == 0 ? FrameStatus::Started : FrameStatus::Tracked);
     EXPECT_THAT(report.world_from_camera, NearPose(true_pose(k), 0.003, 0.03)) << "sweep " << k;
+  }
+}
+
+TEST(LidarOdometry, PosesReferToTheMomentThatIsChosen) {
+  for (const auto& [instant, share] : {std::pair{PoseInstant::Begin, 0.0}, std::pair{PoseInstant::End, 1.0}}) {
+    LidarOptions options = one_thread();
+    options.pose_at = instant;
+    LidarOdometry odometry(options);
+    for (int k = 0; k < 4; ++k) {
+      const Timed& scan = drive()[static_cast<std::size_t>(k)];
+      const Rigid3 found = odometry.add(scan.stamp_s, scan.cloud, scan.shares).world_from_camera;
+      const Rigid3 true_one = inverse(driving()(0.5 * kSweep_s)) * driving()((k + share) * kSweep_s);
+      EXPECT_THAT(found, NearPose(k == 0 ? Rigid3{} : true_one, 0.003, 0.03)) << "sweep " << k;
+    }
   }
 }
 

@@ -83,6 +83,15 @@ SweepShares shares_from_times(std::span<const double> times) {
   return shares_between({times.begin(), times.end()}, *first, *last);
 }
 
+std::optional<double> likely_time_unit_s(double duration_in_unit, double expected_s) {
+  constexpr double kMaxRatio = 30.0;  // units are a factor of 1000 apart
+  for (const double unit_s : {1.0, 1e-3, 1e-6, 1e-9}) {
+    const double ratio = duration_in_unit * unit_s / expected_s;
+    if (ratio > 1.0 / kMaxRatio && ratio < kMaxRatio) return unit_s;
+  }
+  return std::nullopt;
+}
+
 SweepShares shares_from_order(const Cloud& cloud) {
   const std::size_t count = cloud.size();
   if (count < 8 * kNumPieces || !looks_around(cloud)) return {};

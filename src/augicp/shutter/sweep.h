@@ -3,6 +3,7 @@
 // from one place.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ using SweepShares = std::vector<float>;
 // From times in any unit and from any zero. Empty where they are all the same. Throws std::invalid_argument for a time
 // that is not finite.
 SweepShares shares_from_times(std::span<const double> times);
+
+// The unit of times, as a power of a thousandth of a second: 1 (seconds), 1e-3, 1e-6 or 1e-9 s. Of these the one with
+// which the duration of a sweep, given in that unit, is nearest to what it is expected to take, by their ratio. Empty
+// where none is within a factor of 30. REQUIRES: expected_s > 0.
+std::optional<double> likely_time_unit_s(double duration_in_unit, double expected_s);
 
 // For the points of a spinning sensor in the order in which it measured them, whatever the azimuth at which it began
 // and however much of a revolution it made: by how far the azimuth about z has come. Empty where the points are in

@@ -46,6 +46,15 @@ TEST(Sweep, TimesThatAreAllTheSameGiveNoShares) {
   EXPECT_TRUE(shares_from_times({}).empty());
 }
 
+TEST(Sweep, TheUnitOfTimesFollowsFromTheSweepsDuration) {
+  for (const double expected_s : {0.05, 0.1, 0.5})
+    for (const double share : {0.2, 0.99, 4.0})
+      for (const double unit_s : {1.0, 1e-3, 1e-6, 1e-9})
+        EXPECT_EQ(likely_time_unit_s(share * expected_s / unit_s, expected_s), unit_s);
+  EXPECT_FALSE(likely_time_unit_s(1e6, 1.0 / 31.0));
+  EXPECT_FALSE(likely_time_unit_s(0.0, 0.1));
+}
+
 TEST(Sweep, TimesThatAreNotFiniteAreRefused) {
   EXPECT_THROW(shares_from_times(std::vector<double>{0.0, std::numeric_limits<double>::quiet_NaN()}),
                std::invalid_argument);
