@@ -99,6 +99,8 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
   align_by.min_rotation_step = kMinRotationStep;
   align_by.num_threads = options_.num_threads;
   align_by.stop = options_.stop;
+  // A wide gate lets scans slide along what the last one left free, or where nothing is known yet.
+  const bool holds_from_afar = !before_last_ || is_last_degenerate_;
   const double least = options_.gate_voxels * voxel_size_;
   attempt.world_from_sensor = guess;
   attempt.iterations = 0;
@@ -108,7 +110,7 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
     align_by.gates.max_distance = gate;
     const double kernel = is_last ? kMinKernel * voxel_size_ : kKernelPerGate * gate;
     align_by.min_kernel_chi2 = kernel * kernel;
-    align_by.min_observability = is_last ? options_.min_observability : 0.0;
+    align_by.min_observability = is_last || holds_from_afar ? options_.min_observability : 0.0;
     align_by.correlation_length = is_last && options_.covariance ? kCorrelationVoxels * voxel_size_ : 0.0;
     const Cloud& target = matcher_->target();
     attempt.result =

@@ -117,6 +117,7 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   if (options_.deskew && !shares.empty()) start_scan_ = StartScan{scan, shares};
   usual_agreement_ = prediction_error_ = 0.0;
   before_last_.reset();
+  is_last_degenerate_ = false;
   last_ = StampedPose{report.stamp_s, report.world_from_camera};
 }
 
@@ -164,6 +165,7 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
   if (attempt.gain_of_deskewing) gain_of_deskewing_ += *attempt.gain_of_deskewing, ++num_trials_;
   const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
   prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
+  is_last_degenerate_ = report.status == FrameStatus::Degenerate;
   before_last_ = last_;
   last_ = StampedPose{stamp_s, attempt.world_from_sensor};
   const Rigid3 since = inverse(keyframe_->world_from_sensor) * attempt.world_from_sensor;

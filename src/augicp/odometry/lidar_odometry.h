@@ -131,6 +131,7 @@ class LidarOdometry {
   double usual_agreement_ = 0.0;
   double gain_of_deskewing_ = 0.0;  // of the agreement, summed over the trials
   int num_trials_ = 0;
+  bool is_last_degenerate_ = false;
   int num_lost_ = 0;
   int segment_ = 0;
 };

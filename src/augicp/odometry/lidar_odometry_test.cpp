@@ -13,6 +13,7 @@
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/testing/matchers.h"
+#include "augicp/testing/scenes.h"
 
 namespace augicp {
 namespace {
@@ -125,6 +126,51 @@ TEST(LidarOdometry, NamesTheAxisOfACorridor) {
   EXPECT_EQ(report.status, FrameStatus::Degenerate);
   ASSERT_EQ(report.free_motions.size(), 1u);
   EXPECT_GT(std::abs(report.free_motions[0].axis.x()), 0.99);
+}
+
+// Sixteen or thirty-two rings, as sparse as those of a VLP-16 or an HDL-32E.
+synthetic::Lidar sparse_lidar(int num_rings) {
+  synthetic::Lidar lidar;
+  lidar.num_rings = num_rings;
+  lidar.num_azimuths = 900;
+  lidar.min_elevation_deg = num_rings == 16 ? -15.0 : -30.67;
+  lidar.max_elevation_deg = num_rings == 16 ? 15.0 : 10.67;
+  lidar.range_sigma = 0.015;
+  lidar.min_range = 0.3;
+  lidar.sweep_s = kSweep_s;
+  return lidar;
+}
+
+// The reports on the second and third sweep of a sensor that walks along x.
+std::vector<FrameReport> reports_in(const testing::Scene& scene, const Rigid3& place, const synthetic::Lidar& lidar) {
+  const synthetic::Motion walking = synthetic::moving_evenly(place, {Eigen::Quaterniond::Identity(), {0.6, 0.0, 0.0}});
+  LidarOdometry odometry(one_thread());
+  std::vector<FrameReport> reports;
+  for (unsigned k = 0; k < 3; ++k) {
+    const synthetic::Sweep sweep = synthetic::scan({scene, {}}, lidar, walking, k + 1, k * kSweep_s);
+    reports.push_back(odometry.add(k * kSweep_s, sweep.cloud, shares_from_times(sweep.times_s)));
+  }
+  reports.erase(reports.begin());
+  return reports;
+}
+
+TEST(LidarOdometry, SparseRingsTrackARoomWhoseFloorTheySee) {
+  const testing::Scene hall = testing::room(1, {14.0, 11.0, 3.5});
+  const Rigid3 place{Eigen::Quaterniond::Identity(), {-2.8, 0.1, 1.0}};
+  for (const FrameReport& report : reports_in(hall, place, sparse_lidar(16)))
+    EXPECT_EQ(report.status, FrameStatus::Tracked);
+}
+
+// Rings and columns of rays that cross a corner are no walls across the corridor, and nothing pulls along it.
+TEST(LidarOdometry, SparseRingsLeaveACorridorFree) {
+  for (const int num_rings : {16, 32})
+    for (const double width : {2.6, 3.4, 4.2}) {
+      const testing::Scene corridor = synthetic::corridor(width, 2.6);
+      for (const FrameReport& report : reports_in(corridor, corridor.world_from_camera, sparse_lidar(num_rings))) {
+        EXPECT_EQ(report.status, FrameStatus::Degenerate) << num_rings << " rings, " << width << " m wide";
+        EXPECT_LT(std::abs(report.world_from_camera.translation.x()), 0.02);  // the prediction: at rest
+      }
+    }
 }
 
 TEST(LidarOdometry, ALostScanDoesNotEndTheRun) {

@@ -14,7 +14,21 @@ constexpr std::array<int, 2> kCoarser{2, 4};
 // A point farther from a coarser plane than this many of the plane's thicknesses belongs to something else.
 constexpr double kMaxThicknesses = 3.0;
 
+// Points of one scan show a coarser plane if there are this many times min_points. With fewer, a part of a ring and a
+// column of rays that cross a corner look like a plane across the line of sight, which moves with the sensor.
+constexpr double kCoarsePointsFactor = 3.0;
+
+// Points of one ring that cross a corner look like such a plane, too. Their elevations are equal; those of neighbouring
+// rings differ by more than this, radians.
+constexpr double kMinElevationSpread = 3e-4;
+
 constexpr std::int32_t kMaxIndex = 1 << 20;
+
+// Its sine, which serves as well as the angle near the horizon.
+double elevation_of(const Vec3d& point) {
+  const double distance = point.norm();
+  return distance > 0.0 ? point.z() / distance : 0.0;
+}
 
 std::int32_t floor_divided(std::int32_t a, std::int32_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
@@ -41,11 +55,23 @@ void SurfaceMap::Sums::add(const Sums& other) {
            other.count * shift * shift.transpose();
   sum += other.sum + other.count * shift;
   count += other.count;
+  elevation += other.elevation;
+  elevation_sq += other.elevation_sq;
+}
+
+bool SurfaceMap::Sums::is_of_one_ring() const {
+  const double mean = elevation / count;
+  return elevation_sq / count - mean * mean < kMinElevationSpread * kMinElevationSpread;
 }
 
 Gaussian SurfaceMap::Sums::gaussian() const {
   const Vec3d mean = sum / count;
   return {count, centre + mean, outer / count - mean * mean.transpose()};
+}
+
+void SurfaceMap::Sums::scale(double factor) {
+  count *= factor, sum *= factor, outer *= factor;
+  elevation *= factor, elevation_sq *= factor;
 }
 
 std::uint64_t SurfaceMap::key_of(const Index& index) {
@@ -74,14 +100,14 @@ void SurfaceMap::add(const Cloud& scan, const Rigid3& map_from_scan) {
     if (!(cell.cwiseAbs().maxCoeff() < kMaxIndex)) continue;
     Sums& sums = sums_at(
         {static_cast<std::int32_t>(cell[0]), static_cast<std::int32_t>(cell[1]), static_cast<std::int32_t>(cell[2])});
-    if (sums.count >= options_.max_count) {
-      const double kept = (options_.max_count - 1.0) / sums.count;
-      sums.count *= kept, sums.sum *= kept, sums.outer *= kept;
-    }
+    if (sums.count >= options_.max_count) sums.scale((options_.max_count - 1.0) / sums.count);
     const Vec3d offset = in_map - sums.centre;
     sums.count += 1.0;
     sums.sum += offset;
     sums.outer += offset * offset.transpose();
+    const double elevation = elevation_of(scan.origin + point.cast<double>());
+    sums.elevation += elevation;
+    sums.elevation_sq += elevation * elevation;
     if (sums.last_scan != num_scans_) ++sums.num_scans, sums.last_scan = num_scans_;
   }
   ++num_scans_;
@@ -106,6 +132,7 @@ Shape SurfaceMap::shape_of(const Sums& sums) const {
     if (sums.num_scans < options_.min_scans_of_edge) return {};
     return {Structure::Edge, eigen.vectors.col(2)};
   }
+  if (sums.is_of_one_ring()) return {};
   if (l0 < thresholds.max_planar_curvature * (l0 + l1 + l2)) return {Structure::Planar, eigen.vectors.col(0)};
   return {};
 }
@@ -127,17 +154,20 @@ SurfaceMap::Level SurfaceMap::coarser_level(int factor) const {
   return level;
 }
 
-Shape SurfaceMap::shape_in(const Voxel& voxel, const std::vector<Level>& coarser, Vec3d& mean) const {
+Shape SurfaceMap::shape_in(const Voxel& voxel, const std::vector<Level>& coarser, double min_coarse_count,
+                           Vec3d& mean) const {
   const Shape own = shape_of(voxel.sums);
   const Vec3d own_mean = voxel.sums.centre + voxel.sums.sum / voxel.sums.count;
   mean = own_mean;
-  if (own.structure != Structure::None || voxel.sums.count >= options_.thresholds.min_points) return own;
+  const bool shows_its_shape = voxel.sums.count >= options_.thresholds.min_points && !voxel.sums.is_of_one_ring();
+  if (own.structure != Structure::None || shows_its_shape) return own;
   for (const Level& level : coarser) {
     Index index = voxel.index;
     for (std::int32_t& i : index) i = floor_divided(i, level.factor);
     const std::uint32_t at = level.place.at(key_of(index));
     const Shape& shape = level.shapes[at];
     if (shape.structure != Structure::Planar) continue;
+    if (level.sums[at].count < min_coarse_count) continue;
     const Gaussian gaussian = level.sums[at].gaussian();
     const double off = shape.direction.dot(own_mean - gaussian.mean);
     const double thickness = std::sqrt(std::max(0.0, shape.direction.dot(gaussian.covariance * shape.direction)));
@@ -148,14 +178,19 @@ Shape SurfaceMap::shape_in(const Voxel& voxel, const std::vector<Level>& coarser
   return own;
 }
 
+std::vector<SurfaceMap::Level> SurfaceMap::coarser_levels() const {
+  std::vector<Level> levels;
+  for (const int factor : kCoarser) levels.push_back(coarser_level(factor));
+  return levels;
+}
+
 Cloud SurfaceMap::surfaces(const Vec3d& origin_in_map) const {
   Cloud cloud;
   cloud.origin = origin_in_map;
-  std::vector<Level> coarser;
-  for (const int factor : kCoarser) coarser.push_back(coarser_level(factor));
+  const std::vector<Level> coarser = coarser_levels();
   for (const Voxel& voxel : voxels_) {
     Vec3d mean;
-    const Shape shape = shape_in(voxel, coarser, mean);
+    const Shape shape = shape_in(voxel, coarser, options_.thresholds.min_points, mean);
     if (shape.structure == Structure::None) continue;
     cloud.points.push_back((mean - origin_in_map).cast<float>());
     cloud.directions.push_back(shape.direction.cast<float>());
@@ -165,9 +200,11 @@ Cloud SurfaceMap::surfaces(const Vec3d& origin_in_map) const {
 }
 
 void SurfaceMap::describe(Cloud& cloud, const Rigid3& map_from_cloud) const {
+  const std::vector<Level> coarser = coarser_levels();
   std::vector<Shape> shapes;
   shapes.reserve(voxels_.size());
-  for (const Voxel& voxel : voxels_) shapes.push_back(shape_of(voxel.sums));
+  const double min_count = kCoarsePointsFactor * options_.thresholds.min_points;
+  for (Vec3d mean; const Voxel& voxel : voxels_) shapes.push_back(shape_in(voxel, coarser, min_count, mean));
   cloud.directions.assign(cloud.size(), Vec3f::Zero());
   cloud.structures.assign(cloud.size(), Structure::None);
   for (std::size_t i = 0; i < cloud.size(); ++i) {

@@ -35,7 +35,8 @@ class SurfaceMap {
  public:
   explicit SurfaceMap(const SurfaceMapOptions& options);
 
-  // Points farther than 2^20 voxels from the zero of the map along an axis are ignored.
+  // The scan is in the frame of a sensor, whose rings have elevations above its x-y plane. Points farther than 2^20
+  // voxels from the zero of the map along an axis are ignored.
   void add(const Cloud& scan, const Rigid3& map_from_scan);
 
   // Removes the voxels whose centre is farther from a place than this, metres.
@@ -46,7 +47,8 @@ class SurfaceMap {
   // taken, and the mean is moved onto that plane. The cloud's origin is the given one.
   Cloud surfaces(const Vec3d& origin_in_map) const;
 
-  // Directions and structures for a cloud from the planes of the voxels in which its points lie; None elsewhere.
+  // Directions and structures for a cloud from the surfaces of the voxels in which its points lie, found as for
+  // surfaces(), but with more care for what a single scan shows; None elsewhere.
   void describe(Cloud& cloud, const Rigid3& map_from_cloud) const;
 
   std::size_t num_voxels() const { return voxels_.size(); }
@@ -58,10 +60,13 @@ class SurfaceMap {
     double count = 0.0;
     Vec3d sum = Vec3d::Zero();
     Mat3d outer = Mat3d::Zero();
+    double elevation = 0.0, elevation_sq = 0.0;  // sines, in the scans' frames
     int num_scans = 0;
     int last_scan = -1;
     void add(const Sums& other);
+    void scale(double factor);
     Gaussian gaussian() const;
+    bool is_of_one_ring() const;
   };
   struct Voxel {
     Index index{};
@@ -73,7 +78,8 @@ class SurfaceMap {
   Sums& sums_at(const Index& index);
   Shape shape_of(const Sums& sums) const;
   Level coarser_level(int factor) const;
-  Shape shape_in(const Voxel& voxel, const std::vector<Level>& coarser, Vec3d& mean) const;
+  std::vector<Level> coarser_levels() const;
+  Shape shape_in(const Voxel& voxel, const std::vector<Level>& coarser, double min_coarse_count, Vec3d& mean) const;
 
   SurfaceMapOptions options_;
   std::unordered_map<std::uint64_t, std::uint32_t> place_;

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 #include "augicp/geometry/rotation.h"
 
@@ -83,6 +86,48 @@ TEST(SurfaceMap, ALineIsAnEdgeOnlyAfterSeveralScans) {
   ASSERT_EQ(surfaces.size(), 1u);
   EXPECT_EQ(surfaces.structures[0], Structure::Edge);
   EXPECT_GT(std::abs(surfaces.directions[0].z()), 0.999f);
+}
+
+// Rings of a sensor at zero around a corner: the wall x = 8.2 m that ends at y = 0, and the wall y = 0 behind it.
+Cloud rings_around_a_corner(const std::vector<double>& elevations_rad) {
+  Cloud cloud;
+  for (const double elevation : elevations_rad)
+    for (int k = -20; k <= 20; ++k) {
+      const double s = 0.02 * k;
+      const Vec3d ahead = k < 0 ? Vec3d(8.2, s, 0.0) : Vec3d(8.2 + s, 0.0, 0.0);
+      const Vec3d offset(0.2, 0.5, 0.2);
+      const Vec3d p = ahead + offset;
+      cloud.points.push_back(Vec3d(p.x(), p.y(), std::tan(elevation) * p.head<2>().norm()).cast<float>());
+    }
+  return cloud;
+}
+
+TEST(SurfaceMap, OneRingAroundACornerIsNoPlane) {
+  SurfaceMap one(voxels_of(1.0));
+  one.add(rings_around_a_corner({0.06}), Rigid3{});
+  EXPECT_TRUE(one.surfaces(Vec3d::Zero()).empty());
+  for (int scan = 0; scan < 5; ++scan) one.add(rings_around_a_corner({0.06}), Rigid3{});
+  EXPECT_TRUE(one.surfaces(Vec3d::Zero()).empty());
+}
+
+// Rings 0.3 m apart on a floor are lines in voxels of 0.2 m. Coarser ones show the plane.
+TEST(SurfaceMap, RingsOnAFloorDescribeItsPlane) {
+  Cloud floor;
+  for (const double distance : {3.7, 4.0, 4.3, 4.6})
+    for (int k = -40; k <= 40; ++k) {
+      const double azimuth = 0.02 * k / distance, height = -1.05 + 0.002 * (k % 3);  // rough by some millimetres
+      floor.points.push_back(Vec3d(distance * std::cos(azimuth), distance * std::sin(azimuth), height).cast<float>());
+    }
+  SurfaceMap map(voxels_of(0.2));
+  map.add(floor, Rigid3{});
+  Cloud described = floor;
+  map.describe(described, Rigid3{});
+  std::size_t num_level = 0;
+  for (std::size_t i = 0; i < floor.size(); ++i)
+    if (described.structures[i] == Structure::Planar && std::abs(described.directions[i].z()) > 0.99f) ++num_level;
+  EXPECT_EQ(std::count(described.structures.begin(), described.structures.end(), Structure::Planar),
+            static_cast<std::ptrdiff_t>(num_level));
+  EXPECT_GT(num_level, 0u);
 }
 
 TEST(SurfaceMap, ForgetsWhatIsFarAndKeepsTheRest) {
