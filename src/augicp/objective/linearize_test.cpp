@@ -138,8 +138,8 @@ TEST(Linearize, MatrixIsThatOfTheNumericJacobians) {
     for (const Rigid3& pose : some_poses()) {
       Mat6d expected = Mat6d::Zero();
       for (const Correspondence& pair : two.pairs) {
-        const auto error = [&](const Rigid3& moved) {
-          return plain_pair(two.source, two.target, pair, moved, model).error;
+        const auto error = [&, &of_model = model](const Rigid3& moved) {
+          return plain_pair(two.source, two.target, pair, moved, of_model).error;
         };
         const Mat6d jacobian = testing::numeric_jacobian<6>(error, pose);
         expected += jacobian.transpose() * plain_pair(two.source, two.target, pair, pose, model).information * jacobian;

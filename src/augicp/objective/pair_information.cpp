@@ -76,8 +76,10 @@ void weigh(const InformationTable& table, const float* counts, const PairBatch& 
 
 // Where the structures differ the linear error has no meaning: Omega^l = 0.
 AUGICP_VECTORIZED void compare_structures(PairBatch& __restrict b) {
-  for (int k = 0; k < kPairsPerBatch; ++k)
-    b.compares[k] = (b.structure[k] != kNone) & (b.structure[k] == b.source_structure[k]) ? 1.0f : 0.0f;
+  for (int k = 0; k < kPairsPerBatch; ++k) {
+    const bool are_alike = (b.structure[k] != kNone) & (b.structure[k] == b.source_structure[k]);
+    b.compares[k] = are_alike ? 1.0f : 0.0f;
+  }
 }
 
 }  // namespace
