@@ -25,7 +25,7 @@ void judge_certainty(const Matcher& matcher, const PosedPairs& posed, const Iter
   result.rmse = rms_distance(posed, options.num_threads);
   if (!has_pose(result.status)) return;
   result.observability = observability(posed, last.objective);
-  if (result.observability.weakest() < options.min_observability)
+  if (!options.free_directions && result.observability.weakest() < options.min_observability)
     result.status = AlignStatus::Degenerate;
   else if (options.correlation_length > 0.0)
     result.covariance = covariance(matcher, {posed, last.gates, last.objective}, options.correlation_length,
@@ -72,8 +72,22 @@ AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& i
 }
 
 // The loop and, if the data leave directions free, the loop again without these.
+// The loop where the free directions are known.
+AlignResult align_beside(const FreeDirections& free, const Cloud& source, const Matcher& matcher,
+                         const Rigid3& initial_target_from_source, AlignOptions options) {
+  if (free.num_free > 0) options.correlation_length = 0.0;
+  AlignResult result = iterate(source, matcher, initial_target_from_source, options, free.num_free);
+  if (free.num_free == 0 || result.observability.gyration == 0.0) return result;
+  result.status = AlignStatus::Degenerate;
+  result.observability = free.seen;
+  result.free_motions = free_motions(free.seen, free.num_free);
+  return result;
+}
+
 AlignResult align_by(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                      const AlignOptions& options) {
+  if (options.free_directions)
+    return align_beside(*options.free_directions, source, matcher, initial_target_from_source, options);
   AlignResult result = iterate(source, matcher, initial_target_from_source, options, 0);
   if (result.status != AlignStatus::Degenerate) return result;
   // The free directions have drifted, and may have pulled the others along. So start again, without them.

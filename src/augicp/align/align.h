@@ -13,6 +13,12 @@
 
 namespace augicp {
 
+// What is known of the motions that the data leave free.
+struct FreeDirections {
+  Observability seen;  // its first num_free directions are free
+  int num_free = 0;
+};
+
 struct AlignOptions {
   InformationModel information = default_information();
   Gates gates;
@@ -67,6 +73,10 @@ struct AlignOptions {
   // Twelve generated shapes with free motions stay below 1e-4 with noise; right poses of fr1/desk are above in 99 of
   // 100 cases.
   double min_observability = 1.2e-4;
+
+  // If set, no information is asked: these directions are free, and all others are not. The pose does not move along
+  // the free ones, and the status is Degenerate if there are any.
+  std::optional<FreeDirections> free_directions;
 
   // Residuals of points closer than this to each other may be correlated, metres; see covariance.h. 0: no covariance.
   double correlation_length = 0.0;

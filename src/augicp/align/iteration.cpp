@@ -57,6 +57,8 @@ void weigh(const PosedPairs& posed, const AlignOptions& options, Iteration& iter
 
 Vec6d increment_of(const PosedPairs& posed, const Iteration& iteration, const AlignOptions& options, int num_free) {
   if (num_free == 0) return damped_step(iteration.equations, options.damping);
+  if (options.free_directions)
+    return held_step(iteration.equations, options.damping, options.free_directions->seen, num_free);
   return held_step(iteration.equations, options.damping, observability(posed, iteration.objective), num_free);
 }
 

@@ -24,6 +24,9 @@ void AlignOptions::check() const {
   require_not_negative("min_translation_step", min_translation_step);
   require_not_negative("min_rotation_step", min_rotation_step);
   require_not_negative("min_observability", min_observability);
+  if (free_directions)
+    require(free_directions->num_free >= 0 && free_directions->num_free <= 6, "num_free", free_directions->num_free,
+            "must be from 0 to 6");
   require_not_negative("correlation_length", correlation_length);
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }

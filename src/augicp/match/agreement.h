@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 namespace augicp {
 
@@ -15,13 +16,18 @@ struct AgreementTolerance {
   void check() const;
 };
 
-// What a target shows of a source under a pose. Each source point is counted once.
+// What a target says of a source point under a pose.
+enum class PointAgreement : std::uint8_t {
+  Agree,     // on the target's surface, with its direction
+  Differ,    // near the surface, but off it or rotated
+  Conflict,  // clearly in front of what the target's camera saw: it saw through this point
+  Hidden,    // clearly behind it (occluded)
+  Unseen,    // out of view, or the target has no data there
+};
+
+// The number of source points of which a target says each.
 struct Agreement {
-  std::int64_t agree = 0;     // on the target's surface, with its direction
-  std::int64_t differ = 0;    // near the surface, but off it or rotated
-  std::int64_t conflict = 0;  // clearly in front of what the target's camera saw: it saw through this point
-  std::int64_t hidden = 0;    // clearly behind it (occluded) (occluded)
-  std::int64_t unseen = 0;    // out of view, or the target has no data there
+  std::int64_t agree = 0, differ = 0, conflict = 0, hidden = 0, unseen = 0;
 
   std::int64_t seen() const { return agree + differ + conflict + hidden; }
   std::int64_t total() const { return seen() + unseen; }
@@ -36,5 +42,7 @@ struct Agreement {
   }
   bool operator==(const Agreement&) const = default;
 };
+
+Agreement counted(std::span<const PointAgreement> points);
 
 }  // namespace augicp

@@ -48,10 +48,17 @@ class AgreementCounter {
  public:
   virtual ~AgreementCounter() = default;
 
-  virtual Agreement agreement(const Cloud& source, const Rigid3& target_from_source,
-                              const AgreementTolerance& tolerance, int num_threads) const = 0;
+  // What the target says of each source point.
+  virtual std::vector<PointAgreement> agreements(const Cloud& source, const Rigid3& target_from_source,
+                                                 const AgreementTolerance& tolerance, int num_threads) const = 0;
 
-  // Whether agreement() tells free and hidden places from those that the target did not see.
+  // The number of points with each answer.
+  Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
+                      int num_threads) const {
+    return counted(agreements(source, target_from_source, tolerance, num_threads));
+  }
+
+  // Whether the answers tell free and hidden places from those that the target did not see.
   virtual bool knows_free_space() const { return false; }
 };
 
@@ -70,8 +77,8 @@ class NearestMatcher final : public ScanMatcher {
 
   // A source point that does not agree lies in free space or is hidden if the lines of sight say so. Otherwise it is
   // unseen if it is farther than some tolerances from every target point.
-  Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
-                      int num_threads) const override;
+  std::vector<PointAgreement> agreements(const Cloud& source, const Rigid3& target_from_source,
+                                         const AgreementTolerance& tolerance, int num_threads) const override;
   bool knows_free_space() const override { return lines_of_sight_.has_value(); }
 
  private:
@@ -92,8 +99,8 @@ class ProjectiveMatcher final : public ScanMatcher {
   const Cloud& target() const override { return target_; }
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
-  Agreement agreement(const Cloud& source, const Rigid3& target_from_source, const AgreementTolerance& tolerance,
-                      int num_threads) const override;
+  std::vector<PointAgreement> agreements(const Cloud& source, const Rigid3& target_from_source,
+                                         const AgreementTolerance& tolerance, int num_threads) const override;
   bool knows_free_space() const override { return true; }
 
  private:

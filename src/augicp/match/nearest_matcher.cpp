@@ -52,6 +52,13 @@ class NearestSession final : public MatchSession {
   NearestMemory memory_;
 };
 
+// What is said of a point that does not agree.
+PointAgreement off_surface(Sight sight, bool is_near) {
+  if (sight == Sight::Free) return PointAgreement::Conflict;
+  if (sight == Sight::Hidden) return PointAgreement::Hidden;
+  return is_near ? PointAgreement::Differ : PointAgreement::Unseen;
+}
+
 }  // namespace
 
 NearestMatcher::NearestMatcher(const Cloud& target, std::optional<RangeImage> lines_of_sight)
@@ -73,31 +80,27 @@ std::unique_ptr<MatchSession> NearestMatcher::session(const Cloud& source) const
   return std::make_unique<NearestSession>(source, target_, tree_);
 }
 
-Agreement NearestMatcher::agreement(const Cloud& source, const Rigid3& target_from_source,
-                                    const AgreementTolerance& tolerance, int num_threads) const {
+std::vector<PointAgreement> NearestMatcher::agreements(const Cloud& source, const Rigid3& target_from_source,
+                                                       const AgreementTolerance& tolerance, int num_threads) const {
   tolerance.check();
   const SurfaceTest on_surface(source, target_, target_from_source, tolerance.min_cosine);
   const auto limit = static_cast<float>(tolerance.distance);
   const float reach = kNearPerTolerance * limit;
-  return blocked_sum<Agreement>(source.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-    Agreement count;
+  std::vector<PointAgreement> of_point(source.size());
+  const auto ask = [&](std::size_t begin, std::size_t end) {
     std::uint32_t likely = 0;
     for (std::size_t j = begin; j < end; ++j) {
       const Vec3f moved = on_surface.moved(j);
       const auto found = tree_.nearest(moved, reach * reach, likely);
       if (found) likely = found->index;
-      if (found && on_surface.agrees(j, moved, found->index, limit)) {
-        ++count.agree;
-        continue;
-      }
-      const Sight sight = lines_of_sight_ ? lines_of_sight_->sight(moved, limit) : Sight::OutOfView;
-      ++(sight == Sight::Free     ? count.conflict
-         : sight == Sight::Hidden ? count.hidden
-         : found                  ? count.differ
-                                  : count.unseen);
+      of_point[j] = found && on_surface.agrees(j, moved, found->index, limit)
+                        ? PointAgreement::Agree
+                        : off_surface(lines_of_sight_ ? lines_of_sight_->sight(moved, limit) : Sight::OutOfView,
+                                      found.has_value());
     }
-    return count;
-  });
+  };
+  for_each_block(source.size(), num_threads, ask);
+  return of_point;
 }
 
 }  // namespace augicp

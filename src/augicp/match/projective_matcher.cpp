@@ -93,29 +93,26 @@ std::vector<Correspondence> ProjectiveMatcher::match_points(const Cloud& source,
   return pairs;
 }
 
-Agreement ProjectiveMatcher::agreement(const Cloud& source, const Rigid3& target_from_source,
-                                       const AgreementTolerance& tolerance, int num_threads) const {
+std::vector<PointAgreement> ProjectiveMatcher::agreements(const Cloud& source, const Rigid3& target_from_source,
+                                                          const AgreementTolerance& tolerance, int num_threads) const {
   tolerance.check();
   const SurfaceTest on_surface(source, target_, target_from_source, tolerance.min_cosine);
   const auto constant = static_cast<float>(tolerance.distance), per_depth = static_cast<float>(tolerance.per_depth);
-  const auto count_points = [&](std::size_t begin, std::size_t end) {
-    Agreement count;
+  std::vector<PointAgreement> of_point(source.size(), PointAgreement::Unseen);
+  const auto ask = [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
       const Vec3f moved = on_surface.moved(j);
       const std::int32_t i = pixel_of(moved, camera_, index_);
-      if (i == IndexImage::kNone) {
-        ++count.unseen;
-        continue;
-      }
+      if (i == IndexImage::kNone) continue;
       const float limit = constant + per_depth * moved.z(), behind = moved.z() - target_.points[i].z();
       if (std::abs(behind) > kNearPerTolerance * limit)
-        ++(behind < 0.0f ? count.conflict : count.hidden);
+        of_point[j] = behind < 0.0f ? PointAgreement::Conflict : PointAgreement::Hidden;
       else
-        ++(on_surface.agrees(j, moved, i, limit) ? count.agree : count.differ);
+        of_point[j] = on_surface.agrees(j, moved, i, limit) ? PointAgreement::Agree : PointAgreement::Differ;
     }
-    return count;
   };
-  return blocked_sum<Agreement>(source.size(), num_threads, count_points, kLightBlockSize);
+  for_each_block(source.size(), num_threads, ask, kLightBlockSize);
+  return of_point;
 }
 
 }  // namespace augicp

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "augicp/registration/judge.h"
+#include "augicp/registration/full_resolution.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/registration/start/rivals.h"
 #include "augicp/registration/start/start_search.h"
@@ -19,10 +19,6 @@ constexpr int kCoarseColumns = 160;
 
 // The motion during a readout and the pose depend on each other; on fr1, a third round changes little.
 constexpr int kReadoutRounds = 2;
-
-// Rivals that end as ambiguities begin with a strain of 0.8 to 1.2 on few points; those that lead back to the pose
-// found begin above 6, and cost as much as the registration.
-constexpr double kMaxStrainOfRival = 2.0;
 
 struct Start {
   Rigid3 target_from_source, guess;
@@ -57,31 +53,6 @@ void improve(const PreparedPair& coarse, bool bends, const RegistrationOptions& 
     start.target_from_source = found->target_from_source;
   }
 }
-
-// The loop at full resolution and its verdict, from one start after the other.
-class FullResolution {
- public:
-  FullResolution(const ScanPair& pair, const Rigid3& guess_target_from_source, const RegistrationOptions& options)
-      : align_by_(align_options(pair.lengths, is_projective(pair.target, options.association), options)),
-        source_(pair.source.cloud),
-        matcher_(matcher_for(pair.target, is_projective(pair.target, options.association), pair.lengths)),
-        judge_(pair, *matcher_, guess_target_from_source, align_by_) {}
-
-  AlignResult from(const Rigid3& start_target_from_source) const {
-    return judge_.judged(align(source_, *matcher_, start_target_from_source, align_by_));
-  }
-
-  // Whether a pose found on few points is near enough to a supported one to be led on.
-  bool is_promising(const Rigid3& target_from_source) const {
-    return strain(judge_.evidence(target_from_source)) < kMaxStrainOfRival;
-  }
-
- private:
-  AlignOptions align_by_;
-  const Cloud& source_;
-  std::unique_ptr<ScanMatcher> matcher_;
-  Judge judge_;
-};
 
 AlignResult without_bend(const ScanPair& pair, const Start& start, const RegistrationOptions& options) {
   const Scan source = without_skew(pair.source, start.readout.source, options.num_threads),

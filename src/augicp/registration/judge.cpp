@@ -23,11 +23,6 @@ Cloud witnesses(const Cloud& cloud) { return evenly_chosen(cloud, kNumWitnesses)
 
 float sight_tolerance(const Lengths& lengths) { return static_cast<float>(kDistancePerRadius * lengths.radius); }
 
-AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths) {
-  if (scan.view) return {.distance = 0.0, .per_depth = kDistancePerDepth};
-  return {.distance = kDistancePerRadius * lengths.radius, .per_depth = 0.0};
-}
-
 // The last step of the loop, where the points are. A loop of one iteration has shown no small step.
 void add_last_step(const AlignResult& result, double extent, Evidence& evidence) {
   const std::size_t count = result.history.size();
@@ -53,6 +48,11 @@ double moved(const Cloud& source, const Rigid3& from_pose, const Rigid3& to_pose
 
 }  // namespace
 
+AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths) {
+  if (scan.view) return {.distance = 0.0, .per_depth = kDistancePerDepth};
+  return {.distance = kDistancePerRadius * lengths.radius, .per_depth = 0.0};
+}
+
 std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, const Lengths& lengths) {
   if (projective) return std::make_unique<ProjectiveMatcher>(scan.cloud, scan.view->index, scan.view->camera);
   if (scan.view) return std::make_unique<NearestMatcher>(scan.cloud);
@@ -77,21 +77,30 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const Rigid3& gue
       target_says_(pair.target.view ? matcher_for(pair.target, true, pair.lengths) : nullptr),
       source_says_(matcher_for(pair.source, pair.source.view.has_value(), pair.lengths)) {}
 
-Evidence Judge::evidence(const Rigid3& target_from_source) const {
+std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) const {
   const int num_threads = options_.num_threads;
-  const ScanMatcher &in_target = target_says_ ? *target_says_ : matcher_, &in_source = *source_says_;
-  const AgreementTolerance tolerance = tolerance_of(pair_.target, pair_.lengths),
-                           back = tolerance_of(pair_.source, pair_.lengths);
+  const ScanMatcher& in_target = target_says_ ? *target_says_ : matcher_;
+  std::vector<PointAgreement> of_point =
+      in_target.agreements(of_source_, target_from_source, tolerance_of(pair_.target, pair_.lengths), num_threads);
+  const auto back = source_says_->agreements(of_target_, inverse(target_from_source),
+                                             tolerance_of(pair_.source, pair_.lengths), num_threads);
+  of_point.insert(of_point.end(), back.begin(), back.end());
+  return of_point;
+}
+
+Evidence Judge::evidence(const Rigid3& target_from_source) const {
+  const ScanMatcher& in_target = target_says_ ? *target_says_ : matcher_;
+  const auto of_point = agreements(target_from_source);
+  const auto of_source = std::span(of_point).first(of_source_.size());
+  const auto of_target = std::span(of_point).subspan(of_source_.size());
   Evidence evidence;
-  evidence.source_in_target = {in_target.agreement(of_source_, target_from_source, tolerance, num_threads),
-                               in_target.knows_free_space()};
-  evidence.target_in_source = {in_source.agreement(of_target_, inverse(target_from_source), back, num_threads),
-                               in_source.knows_free_space()};
-  const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, num_threads);
+  evidence.source_in_target = {counted(of_source), in_target.knows_free_space()};
+  evidence.target_in_source = {counted(of_target), source_says_->knows_free_space()};
+  const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, options_.num_threads);
   const PosedPairs posed{of_source_, pair_.target.cloud, pairs, target_from_source};
+  const AgreementTolerance tolerance = tolerance_of(pair_.target, pair_.lengths);
   evidence.residuals = residuals(posed);
-  const auto agreeing = agreeing_points(posed, tolerance);
-  evidence.beyond_planes = share_beyond_planes(pair_.target.cloud, agreeing, tolerance);
+  evidence.beyond_planes = share_beyond_planes(pair_.target.cloud, agreeing_points(posed, tolerance), tolerance);
   return evidence;
 }
 

@@ -17,6 +17,9 @@ std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, cons
 // The place of a cloud's sensor, or of a depth image's camera, if it is known; relative to the cloud's origin.
 std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths);
 
+// How far from a scan's surface a point of the other still is on it.
+AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths);
+
 // Judges poses between two scans, all by the same evidence: what the scans say of each other. It compares a few
 // thousand points of each scan, evenly spread: they tell a share to a hundredth, in a small part of the registration's
 // time. Lines of sight are those of each scan that is a depth image or has a known place of its sensor.
@@ -31,6 +34,10 @@ class Judge {
 
   // Under a pose between the scans' points.
   Evidence evidence(const Rigid3& target_from_source) const;
+
+  // What the target says of points of the source under a pose, and then the source of points of the target. Of the same
+  // points under any pose.
+  std::vector<PointAgreement> agreements(const Rigid3& target_from_source) const;
 
   // A result of align() with its evidence, and its status by decide().
   AlignResult judged(AlignResult result) const;

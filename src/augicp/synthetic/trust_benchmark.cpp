@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <mutex>
 
 #include "augicp/core/angles.h"
+#include "augicp/core/parallel.h"
 #include "augicp/registration/registration.h"
 #include "augicp/testing/degenerate_families.h"
+#include "augicp/trust/verdict.h"
 
 namespace augicp::synthetic {
 namespace {
@@ -30,6 +34,12 @@ Vec6d in_gyrations(const Vec6d& increment, const Observability& seen) {
   return scaled;
 }
 
+double share_up_to(const std::vector<double>& strains, double limit) {
+  if (strains.empty()) return 0.0;
+  const auto count = std::count_if(strains.begin(), strains.end(), [&](double strain) { return strain <= limit; });
+  return static_cast<double>(count) / static_cast<double>(strains.size());
+}
+
 }  // namespace
 
 double move_along_free(const AlignResult& result, const Rigid3& guess, const Cloud& source, const Cloud& target) {
@@ -45,36 +55,73 @@ double move_along_free(const AlignResult& result, const Rigid3& guess, const Clo
   return std::sqrt(sum_sq);
 }
 
-void count_pair(const TrustPair& pair, const PoseError& right, const AlignResult& result, TrustRow& row) {
-  const bool is_right =
-      pair.target_from_source && is_within(pose_error(result.target_from_source, *pair.target_from_source), right);
-  ++row.num_pairs;
-  if (result.status == AlignStatus::Degenerate) {
-    ++row.degenerate;
-    row.named += is_named(pair, result);
-    row.largest_move =
-        std::max(row.largest_move, move_along_free(result, pair.guess, pair.source.cloud, pair.target.cloud));
-  } else if (name_of(result.status) == "ambiguous") {
-    ++row.ambiguous;
-  } else if (result.status == AlignStatus::Converged) {
-    ++(is_right ? row.right_converged : row.wrong_converged);
-  } else {
-    ++(is_right ? row.right_refused : row.wrong_refused);
-  }
+TrustOutcome outcome_of(unsigned seed, const TrustPair& pair, const PoseError& right, const AlignResult& result) {
+  TrustOutcome outcome;
+  outcome.seed = seed;
+  outcome.status = result.status;
+  if (pair.target_from_source) outcome.error = pose_error(result.target_from_source, *pair.target_from_source);
+  outcome.is_right = outcome.error && is_within(*outcome.error, right);
+  outcome.strain = result.evidence ? strain(*result.evidence) : std::numeric_limits<double>::infinity();
+  if (result.status != AlignStatus::Degenerate) return outcome;
+  outcome.is_named = is_named(pair, result);
+  outcome.moved_along_free = move_along_free(result, pair.guess, pair.source.cloud, pair.target.cloud);
+  return outcome;
 }
 
-TrustRow run_trust(const TrustFamily& family, unsigned first_seed, int num_pairs, const RegistrationOptions& options,
-                   const std::function<void(unsigned seed, const AlignResult&)>& on_pair) {
+std::vector<TrustOutcome> run_trust(const TrustFamily& family, std::span<const unsigned> seeds,
+                                    const RegistrationOptions& options, const std::function<void()>& on_pair) {
+  RegistrationOptions of_pair = options;
+  of_pair.num_threads = 1;
+  std::vector<TrustOutcome> outcomes(seeds.size());
+  std::mutex one_at_a_time;
+  const auto register_pair = [&](std::size_t k) {
+    const TrustPair pair = family.draw(seeds[k]);
+    const AlignResult result = register_scans(pair.source, pair.target, pair.guess, of_pair).result;
+    outcomes[k] = outcome_of(seeds[k], pair, family.right, result);
+    const std::lock_guard lock(one_at_a_time);
+    if (on_pair) on_pair();
+  };
+  for_each_block(
+      seeds.size(), options.num_threads, [&](std::size_t begin, std::size_t) { register_pair(begin); }, 1);
+  return outcomes;
+}
+
+std::vector<unsigned> trust_seeds(TrustHalf half, unsigned first, std::size_t count) {
+  const unsigned remainder = half == TrustHalf::Choose ? 1 : 0;
+  std::vector<unsigned> seeds;
+  for (unsigned seed = first + (first % 2 != remainder); seeds.size() < count; seed += 2) seeds.push_back(seed);
+  return seeds;
+}
+
+TrustRow row_of(std::span<const TrustOutcome> outcomes) {
   TrustRow row;
-  row.family = family.name;
-  for (int k = 0; k < num_pairs; ++k) {
-    const unsigned seed = first_seed + static_cast<unsigned>(k);
-    const TrustPair pair = family.draw(seed);
-    const AlignResult result = register_scans(pair.source, pair.target, pair.guess, options).result;
-    count_pair(pair, family.right, result, row);
-    if (on_pair) on_pair(seed, result);
+  row.num_pairs = outcomes.size();
+  for (const TrustOutcome& outcome : outcomes) {
+    const bool is_right = outcome.is_right;
+    if (outcome.status == AlignStatus::Degenerate) {
+      ++row.degenerate;
+      row.named += outcome.is_named;
+      row.largest_move = std::max(row.largest_move, outcome.moved_along_free);
+    } else if (outcome.status == AlignStatus::Ambiguous) {
+      ++row.ambiguous;
+    } else if (outcome.status == AlignStatus::Converged) {
+      ++(is_right ? row.right_converged : row.wrong_converged);
+    } else {
+      ++(is_right ? row.right_refused : row.wrong_refused);
+    }
   }
   return row;
+}
+
+std::vector<TrustRocPoint> trust_roc(std::span<const TrustOutcome> outcomes) {
+  std::vector<double> right, wrong;
+  for (const TrustOutcome& outcome : outcomes)
+    if (outcome.status == AlignStatus::Converged || outcome.status == AlignStatus::Doubtful)
+      (outcome.is_right ? right : wrong).push_back(outcome.strain);
+  std::vector<TrustRocPoint> points;
+  for (const double max_strain : {0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, 5.0})
+    points.push_back({max_strain, share_up_to(wrong, max_strain), 1.0 - share_up_to(right, max_strain)});
+  return points;
 }
 
 }  // namespace augicp::synthetic

@@ -47,38 +47,112 @@ TEST(TrustFamilies, TheTruthIsTrue) {
   }
 }
 
+AlignResult result_with(AlignStatus status, double error) {
+  AlignResult result;
+  result.status = status;
+  result.target_from_source.translation.x() = error;
+  return result;
+}
+
 TEST(TrustRow, CountsEachOutcomeOnce) {
   TrustPair pair;
   pair.target_from_source = Rigid3{};
   const PoseError right{0.01, 0.01};
-  const auto with = [](AlignStatus status, double error) {
-    AlignResult result;
-    result.status = status;
-    result.target_from_source.translation.x() = error;
-    return result;
-  };
-  TrustRow row;
-  count_pair(pair, right, with(AlignStatus::Converged, 0.0), row);
-  count_pair(pair, right, with(AlignStatus::Converged, 0.1), row);
-  count_pair(pair, right, with(AlignStatus::Doubtful, 0.0), row);
-  count_pair(pair, right, with(AlignStatus::NoOverlap, 0.1), row);
-  count_pair(pair, right, with(AlignStatus::Degenerate, 0.1), row);
-  EXPECT_EQ(row.num_pairs, 5);
-  EXPECT_EQ(row.right_converged, 1);
-  EXPECT_EQ(row.wrong_converged, 1);
-  EXPECT_EQ(row.right_refused, 1);
-  EXPECT_EQ(row.wrong_refused, 1);
-  EXPECT_EQ(row.degenerate, 1);
+  std::vector<TrustOutcome> outcomes;
+  for (const auto& [status, error] : {std::pair{AlignStatus::Converged, 0.0},
+                                      {AlignStatus::Converged, 0.1},
+                                      {AlignStatus::Doubtful, 0.0},
+                                      {AlignStatus::NoOverlap, 0.1},
+                                      {AlignStatus::Degenerate, 0.1},
+                                      {AlignStatus::Ambiguous, 0.0}})
+    outcomes.push_back(outcome_of(1, pair, right, result_with(status, error)));
+  const TrustRow row = row_of(outcomes);
+  EXPECT_EQ(row.num_pairs, 6u);
+  EXPECT_EQ(row.right_converged, 1u);
+  EXPECT_EQ(row.wrong_converged, 1u);
+  EXPECT_EQ(row.right_refused, 1u);
+  EXPECT_EQ(row.wrong_refused, 1u);
+  EXPECT_EQ(row.degenerate, 1u);
+  EXPECT_EQ(row.ambiguous, 1u);
 }
 
 // Without a common surface no pose is right.
 TEST(TrustRow, NothingIsRightWithoutATruth) {
-  AlignResult result;
-  result.status = AlignStatus::Converged;
-  TrustRow row;
-  count_pair({}, {1e9, 1e9}, result, row);
-  EXPECT_EQ(row.wrong_converged, 1);
-  EXPECT_EQ(row.right_converged, 0);
+  const std::vector<TrustOutcome> outcomes{outcome_of(1, {}, {1e9, 1e9}, result_with(AlignStatus::Converged, 0.0))};
+  const TrustRow row = row_of(outcomes);
+  EXPECT_EQ(row.wrong_converged, 1u);
+  EXPECT_EQ(row.right_converged, 0u);
+}
+
+TEST(TrustSeeds, TheHalvesHaveNothingInCommon) {
+  const auto choose = trust_seeds(TrustHalf::Choose, 10, 4), report = trust_seeds(TrustHalf::Report, 10, 4);
+  EXPECT_EQ(choose, (std::vector<unsigned>{11, 13, 15, 17}));
+  EXPECT_EQ(report, (std::vector<unsigned>{10, 12, 14, 16}));
+}
+
+TEST(TrustRoc, ALooserLimitAcceptsMore) {
+  std::vector<TrustOutcome> outcomes(4);
+  for (std::size_t k = 0; k < 4; ++k) {
+    outcomes[k].status = k < 2 ? AlignStatus::Converged : AlignStatus::Doubtful;
+    outcomes[k].strain = 0.55 + 0.5 * static_cast<double>(k);
+    outcomes[k].is_right = k % 2 == 0;
+  }
+  outcomes.push_back({});  // failed: in no curve
+  for (const TrustRocPoint& point : trust_roc(outcomes)) {
+    EXPECT_DOUBLE_EQ(point.wrong_accepted, 0.5 * ((point.max_strain >= 1.05) + (point.max_strain >= 2.05)));
+    EXPECT_DOUBLE_EQ(point.right_refused, 0.5 * ((point.max_strain < 0.55) + (point.max_strain < 1.55)));
+  }
+}
+
+// Bit for bit: a pair neither knows the others nor the number of threads.
+TEST(TrustBenchmark, ThreadsChangeNothing) {
+  const auto families = trust_families();
+  const TrustFamily& shapes = families[7];
+  ASSERT_EQ(shapes.name, "bare degenerate shapes");
+  const std::vector<unsigned> seeds{1, 2, 3};
+  RegistrationOptions options;
+  options.num_threads = 1;
+  const auto one = run_trust(shapes, seeds, options);
+  options.num_threads = 3;
+  std::size_t num_calls = 0;
+  const auto three = run_trust(shapes, seeds, options, [&] { ++num_calls; });
+  EXPECT_EQ(num_calls, 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(one[k].seed, seeds[k]);
+    EXPECT_EQ(one[k].status, three[k].status);
+    EXPECT_EQ(one[k].strain, three[k].strain);
+    EXPECT_EQ(one[k].moved_along_free, three[k].moved_along_free);
+  }
+}
+
+TrustRow row_of_family(const std::string& name, const std::vector<unsigned>& seeds) {
+  for (const TrustFamily& family : trust_families())
+    if (family.name == name) return row_of(run_trust(family, seeds, {}));
+  ADD_FAILURE() << "no family " << name;
+  return {};
+}
+
+// Neither scan lines nor noise hold the way along a corridor, and the pose stays at the guess along it.
+TEST(TrustBenchmark, CorridorsAreDegenerate) {
+  for (const char* name : {"lidar corridor", "lidar tunnel", "lidar field"}) {
+    const TrustRow row = row_of_family(name, {2, 4, 6});
+    EXPECT_EQ(row.degenerate, row.num_pairs) << name;
+    EXPECT_LT(row.largest_move, 1e-3) << name;
+  }
+}
+
+// With three times a Kinect's noise the other motions may be doubtful too.
+TEST(TrustBenchmark, CorridorsSeenByNoisyCamerasNeverConverge) {
+  const TrustRow row = row_of_family("image corridor", {2, 4, 6});
+  EXPECT_EQ(row.right_converged + row.wrong_converged, 0u);
+  EXPECT_LT(row.largest_move, 1e-3);
+}
+
+TEST(TrustBenchmark, WhatShapesConstrainConverges) {
+  for (const char* name : {"lidar street", "flat outlines"}) {
+    const TrustRow row = row_of_family(name, {2, 4, 6});
+    EXPECT_EQ(row.right_converged, row.num_pairs) << name;
+  }
 }
 
 TEST(Objects, HavePointsOnAllSidesAndOnlyTheSeenOnesOnOne) {

@@ -11,7 +11,7 @@ namespace augicp {
 // scaled by their radius of gyration: a rotation counts by the motion of a typical point, and the unit of length does
 // not matter (Gelfand et al. 2003). A free direction has a small eigenvalue (Zhang and Singh 2016).
 struct Observability {
-  Vec6d information = Vec6d::Zero();  // of the six directions, divided by the largest, ascending
+  Vec6d information = Vec6d::Zero();  // of the six directions, divided by the largest, ascending; free ones first
   Mat6d directions = Mat6d::Zero();   // columns in that order: increments (metres, radians) about the target's zero
 
   Vec3d centroid = Vec3d::Zero();  // of the paired target points, metres

@@ -27,9 +27,17 @@ std::array<double, 3> strains(const Testimony& testimony, const VerdictLimits& l
           testimony.conflicting() / limits.max_conflicting};
 }
 
-// The larger ratios of both sides: one cloud's contradiction is not compensated by the other.
+// Whether a cloud shows all of the other.
+constexpr double kAll = 0.99;
+bool shows_all(const Testimony& testimony) { return testimony.seen() >= kAll && testimony.agreeing() >= kAll; }
+
+// The larger ratios of both sides: one cloud's contradiction is not compensated by the other. But where one cloud is a
+// part of the other, of which it shows all, the other has no partner for what the part lacks, and only what stands in
+// the part's free space contradicts.
 std::array<double, 4> strains(const Evidence& evidence, const VerdictLimits& limits) {
-  const auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
+  auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
+  if (shows_all(evidence.source_in_target)) other[0] = other[1] = 0.0;
+  if (shows_all(evidence.target_in_source)) one[0] = one[1] = 0.0;
   const bool is_bare = evidence.beyond_planes < limits.min_beyond_planes;
   return {std::max(one[0], other[0]), std::max(one[1], other[1]), std::max(one[2], other[2]),
           is_bare ? evidence.moved / limits.max_moved_on_planes : 0.0};

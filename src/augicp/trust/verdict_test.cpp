@@ -54,6 +54,23 @@ TEST(Verdict, TheLessIsSeenTheBetterItMustAgree) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
+// A scan of one side on the whole model: the model's back has no partner. What it puts into free space still counts.
+TEST(Verdict, APartIsNotAskedForWhatItLacks) {
+  for (const bool source_is_part : {false, true}) {
+    Evidence evidence = good_evidence();
+    Testimony& of_part = source_is_part ? evidence.source_in_target : evidence.target_in_source;
+    Testimony& of_model = source_is_part ? evidence.target_in_source : evidence.source_in_target;
+    of_part.count = {.agree = 995, .differ = 5};
+    of_model.count = {.agree = 200, .differ = 300, .unseen = 500};
+    EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+    of_model.count.conflict = 60;
+    EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::FreeSpace});
+    of_model.count.conflict = 0;
+    of_part.count = {.agree = 985, .differ = 15};
+    EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
+  }
+}
+
 TEST(Verdict, ARivalFitsAsWellIfItsEvidenceIsAsGood) {
   EXPECT_TRUE(fits_as_well(good_evidence(), good_evidence()));
   Evidence contradicted = good_evidence();

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/full_resolution.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "augicp/cloud/voxel_grid.h"
+#include "augicp/registration/scan_match.h"
+#include "augicp/trust/motion_probe.h"
+
+namespace augicp {
+namespace {
+
+// Rivals that end as ambiguities begin with a strain of 0.8 to 1.2 on few points; those that lead back to the pose
+// found begin above 6, and cost as much as the registration.
+constexpr double kMaxStrainOfRival = 2.0;
+
+// Directions with more information than this are not asked about: in bare corridors noise and rings give no more to the
+// free one (0.0039 in the worst of the generated ones).
+constexpr double kMaxDoubtfulInformation = 0.005;
+
+// The normals of images are even: they cannot feign more information than this many times the square of the angle by
+// which paired ones differ (0.3 to 1.2 in corridors with one to three times a Kinect's noise).
+constexpr double kFeignedPerNoise = 1.5;
+
+// After a larger rotation beside the free directions, radians, nothing says which motion along them was the guess's.
+constexpr double kMaxTurnBeside = 0.2;
+
+// What is free at one pose may not be at another, but rarely changes twice.
+constexpr int kMaxRounds = 2;
+
+// An image has far more points than the test asks about.
+constexpr std::size_t kMaxTestedPixels = 20000;
+
+Cloud tested(const Scan& scan) {
+  return scan.view && scan.cloud.size() > kMaxTestedPixels ? evenly_chosen(scan.cloud, kMaxTestedPixels) : scan.cloud;
+}
+
+// The same directions, those that are free first; else in their order.
+FreeDirections free_first(const Observability& seen, const std::vector<bool>& is_free) {
+  std::vector<Eigen::Index> order(6);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_partition(order.begin(), order.end(),
+                        [&](Eigen::Index k) { return is_free[static_cast<std::size_t>(k)]; });
+  FreeDirections free{seen, static_cast<int>(std::count(is_free.begin(), is_free.end(), true))};
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    free.seen.information[k] = seen.information[order[static_cast<std::size_t>(k)]];
+    free.seen.directions.col(k) = seen.directions.col(order[static_cast<std::size_t>(k)]);
+  }
+  return free;
+}
+
+}  // namespace
+
+FullResolution::FullResolution(const ScanPair& pair, const Rigid3& guess_target_from_source,
+                               const RegistrationOptions& options)
+    : pair_(pair),
+      guess_target_from_source_(guess_target_from_source),
+      is_paper_(options.preset == Preset::Paper),
+      align_by_(align_options(pair.lengths, is_projective(pair.target, options.association), options)),
+      matcher_(matcher_for(pair.target, is_projective(pair.target, options.association), pair.lengths)),
+      judge_(pair, *matcher_, guess_target_from_source, align_by_) {}
+
+AlignResult FullResolution::aligned(const Rigid3& start, const std::optional<FreeDirections>& free) const {
+  AlignOptions options = align_by_;
+  options.free_directions = free;
+  const auto from = [&](const Rigid3& pose) { return align(pair_.source.cloud, *matcher_, pose, options); };
+  if (!free) return from(start);
+  AlignResult result = from(at_guess_along(*free, start));
+  // Steps beside the free directions add up to a little motion along them, in large rotations.
+  for (int k = 0; k < kMaxRounds && free->num_free > 0 && has_pose(result.status); ++k) {
+    const Rigid3 back = at_guess_along(*free, result.target_from_source);
+    if (increment_between(result.target_from_source, back).norm() < align_by_.min_translation_step) break;
+    result = from(back);
+  }
+  return result;
+}
+
+// Directions with less information than this are doubtful.
+double FullResolution::doubtful_information(const AlignResult& result) const {
+  if (!pair_.target.view) return kMaxDoubtfulInformation;
+  const PosedPairs posed{pair_.source.cloud, pair_.target.cloud, result.pairs, result.target_from_source};
+  const double noise = residuals(posed).normal.median;
+  return std::clamp(kFeignedPerNoise * noise * noise, align_by_.min_observability, kMaxDoubtfulInformation);
+}
+
+// Of the directions with little information, those that the scans say nothing of; where they are too sparse to tell,
+// those that the loop found free.
+FreeDirections FullResolution::free_directions(const AlignResult& result) const {
+  const Observability& seen = result.observability;
+  const int num_doubtful = seen.num_below(doubtful_information(result));
+  std::vector<bool> is_free(6, false);
+  if (num_doubtful == 0) return {seen, 0};
+  const Cloud source = tested(pair_.source), target = tested(pair_.target);
+  const MotionProbe probe(source, target, tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
+  if (!probe.can_tell()) return {seen, static_cast<int>(result.free_motions.size())};
+  std::vector<Vec6d> doubtful;
+  for (int k = 0; k < num_doubtful; ++k) doubtful.push_back(seen.directions.col(k));
+  const std::vector<bool> is_spoken_of = probe.spoken_of(result.target_from_source, doubtful);
+  for (std::size_t k = 0; k < doubtful.size(); ++k)
+    is_free[k] = !is_spoken_of[k] || (pair_.target.view && k < result.free_motions.size());
+  return free_first(seen, is_free);
+}
+
+Rigid3 FullResolution::at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const {
+  if (free.num_free == 0) return target_from_source;
+  const Vec6d moved = increment_between(guess_target_from_source_, target_from_source);
+  Vec6d along = free.seen.directions.fullPivLu().solve(moved);
+  along.head(free.num_free).setZero();
+  const Vec6d beside = free.seen.directions * along;
+  if (beside.tail<3>().norm() > kMaxTurnBeside) return target_from_source;
+  return retract(guess_target_from_source_, beside);
+}
+
+// Whether the scans can be asked: brightness may constrain what shapes do not.
+bool FullResolution::can_be_asked(const AlignResult& result) const {
+  return !is_paper_ && has_pose(result.status) && result.num_intensity_pairs == 0 &&
+         pair_.source.cloud.has_directions() && pair_.target.cloud.has_directions();
+}
+
+AlignResult FullResolution::from(const Rigid3& start) const {
+  AlignResult result = aligned(start, std::nullopt);
+  bool is_at_guess = result.free_motions.empty() || start.matrix() == guess_target_from_source_.matrix();
+  for (int round = 0; round < kMaxRounds && can_be_asked(result); ++round) {
+    const FreeDirections free = free_directions(result);
+    const bool is_known = free.num_free == static_cast<int>(result.free_motions.size()) &&
+                          free.seen.directions == result.observability.directions;
+    if (is_known && is_at_guess) break;
+    AlignResult again = aligned(start, free);
+    if (!has_pose(again.status)) break;
+    result = std::move(again);
+    is_at_guess = true;
+  }
+  return judge_.judged(std::move(result));
+}
+
+bool FullResolution::is_promising(const Rigid3& target_from_source) const {
+  return strain(judge_.evidence(target_from_source)) < kMaxStrainOfRival;
+}
+
+}  // namespace augicp

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "augicp/registration/judge.h"
+#include "augicp/registration/options.h"
+#include "augicp/registration/prepared_pair.h"
+
+namespace augicp {
+
+// The loop at full resolution and its verdict, from one start after the other. Poses are between the scans' points. The
+// scans must outlive it.
+class FullResolution {
+ public:
+  // guess: where the search for the pose began.
+  FullResolution(const ScanPair& pair, const Rigid3& guess_target_from_source, const RegistrationOptions& options);
+
+  // Motions that the scans say nothing of are free, whatever the information of noisy surfaces: along them the result
+  // is at the guess. Motions of which clouds say something are not, however little information there is.
+  AlignResult from(const Rigid3& start_target_from_source) const;
+
+  // Whether a pose found on few points is near enough to a supported one to be led on.
+  bool is_promising(const Rigid3& target_from_source) const;
+
+ private:
+  double doubtful_information(const AlignResult& result) const;
+  bool can_be_asked(const AlignResult& result) const;
+  AlignResult aligned(const Rigid3& start_target_from_source, const std::optional<FreeDirections>& free) const;
+  FreeDirections free_directions(const AlignResult& result) const;
+  Rigid3 at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const;
+
+  ScanPair pair_;
+  Rigid3 guess_target_from_source_;
+  bool is_paper_;
+  AlignOptions align_by_;
+  std::unique_ptr<ScanMatcher> matcher_;
+  Judge judge_;
+};
+
+}  // namespace augicp
