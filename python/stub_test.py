@@ -13,7 +13,7 @@ from conftest import ROOM, PROJECT, command_json
 
 STUBS = {node.name: node for node in ast.parse((Path(augicp.__file__).parent / "__init__.pyi").read_text()).body
          if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
-FUNCTIONS = {"align": "align", "estimate_surface": "align", "Odometry": "odometry", "evaluate": "evaluate"}
+FUNCTIONS = {"align": "align", "find_pose": "align", "estimate_surface": "align", "Odometry": "odometry", "evaluate": "evaluate"}
 
 
 def members(cls):
@@ -71,7 +71,7 @@ def test_every_option_is_a_keyword_of_the_stub(name):
     keywords = {arg.arg for arg in stub.args.kwonlyargs} | set(stub_parameters(stub))
     assert set(augicp.default_options(FUNCTIONS[name])) <= keywords
     assert {arg.arg for arg in stub.args.kwonlyargs} <= set(augicp.default_options(FUNCTIONS[name]))
-    doc = augicp.align.__doc__ if name in ("align", "estimate_surface") else getattr(augicp, name).__doc__ + augicp.align.__doc__
+    doc = augicp.align.__doc__ if name in ("align", "find_pose", "estimate_surface") else getattr(augicp, name).__doc__ + augicp.align.__doc__
     assert all(option in doc for option in augicp.default_options(FUNCTIONS[name])), name
 
 
@@ -86,6 +86,7 @@ def test_defaults_are_the_command_s():
     told = command_json("align", ROOM / "source.ply", ROOM / "target.ply", "--json", "-")["options"]
     defaults = augicp.default_options()
     told["max_angle"] = told.pop("max_angle_deg")
+    told["global_"] = told.pop("global")  # a reserved word in Python
     assert told.keys() == defaults.keys()
     assert round(defaults.pop("max_angle") * 180 / 3.141592653589793, 9) == round(told.pop("max_angle"), 9)
     assert {name: defaults[name] for name in told if defaults[name] is not None} == \

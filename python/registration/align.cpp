@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <stdexcept>
+
 #include "augicp/registration/option_table.h"
 #include "augicp/registration/registration.h"
 #include "python/bindings.h"
@@ -15,7 +19,8 @@ constexpr const char* kDoc = R"(Finds the rigid motion between two clouds.
 
 source, target: the moving and the fixed cloud: (N, 3) arrays (float32, float64, anything with __array__), metres, or
   Cloud.
-initial: (4, 4) guess of T_target_source, or None: the identity. It must be rigid to within 1e-3.
+initial: (4, 4) guess of T_target_source, rigid to within 1e-3; None: the identity; "global": there is none, and the pose
+  is searched among all.
 method: the objective: "augmented", "gicp", "plane" or "point".
 threads: 0: all of the machine. The result is bit-identical for any number.
 
@@ -27,34 +32,68 @@ without the GIL; may be called from several threads at once; Ctrl-C ends it betw
 Options, by keyword; augicp.default_options() has their defaults:
 )";
 
-// The result, with the derived lengths among its options.
-Result register_pair(const Scan& source, const Scan& target, const Rigid3& initial, RegistrationOptions options) {
-  Registration registration = register_scans(source, target, initial, options);
-  const Lengths& lengths = registration.prepared.lengths;
-  Result result;
-  result.found = std::move(registration.result);
+constexpr const char* kFindDoc = R"(Finds the rigid motion between two clouds of which nothing is known.
+
+Returns a list of Result: every pose that was found, the best first, each with its evidence. The first one is that of
+align(source, target, initial="global"); the others have the status that they would have alone. Empty if the clouds have
+nothing alike. source, target, threads, options and exceptions: as of align().
+)";
+
+// What a result says of its options: they have the derived lengths.
+Result with_lengths(AlignResult found, const Lengths& lengths, RegistrationOptions options) {
   options.stop = {};
   if (lengths.radius > 0.0) {
     options.radius = lengths.radius;
     options.voxel_size = lengths.voxel_size;
     options.max_distance = lengths.max_distance;
   }
-  result.options = options;
-  return result;
+  return {std::move(found), options};
 }
 
-Result align(const py::object& source, const py::object& target, const py::object& initial, const py::object& method,
-             const py::object& threads, const py::kwargs& given) {
+RegistrationOptions options_from(const py::object& method, const py::object& threads, const py::kwargs& given) {
   given["method"] = method;
   given["threads"] = threads;
   RegistrationOptions options;
   set_options(given, options);
+  return options;
+}
+
+// The guess; or the word for none, which is set in the options.
+Rigid3 guess_from(const py::object& initial, RegistrationOptions& options) {
+  if (!py::isinstance<py::str>(initial)) return rigid3_from(initial, "initial");
+  if (py::cast<std::string>(initial) != "global")
+    throw std::invalid_argument("initial = \"" + py::cast<std::string>(initial) +
+                                "\": must be a (4, 4) matrix, None or \"global\"");
+  options.global = true;
+  return {};
+}
+
+Result align(const py::object& source, const py::object& target, const py::object& initial, const py::object& method,
+             const py::object& threads, const py::kwargs& given) {
+  RegistrationOptions options = options_from(method, threads, given);
+  const Rigid3 guess = guess_from(initial, options);
   options.check();
-  const Rigid3 guess = rigid3_from(initial, "initial");
   const SharedScan source_scan = scan_from(source, "source"), target_scan = scan_from(target, "target");
   return without_gil([&](const std::stop_token& stop) {
     options.stop = stop;
-    return register_pair(*source_scan, *target_scan, guess, options);
+    Registration registration = register_scans(*source_scan, *target_scan, guess, options);
+    return with_lengths(std::move(registration.result), registration.prepared.lengths, options);
+  });
+}
+
+std::vector<Result> find_pose(const py::object& source, const py::object& target, const py::object& method,
+                              const py::object& threads, const py::kwargs& given) {
+  RegistrationOptions options = options_from(method, threads, given);
+  options.global = true;
+  options.check();
+  const SharedScan source_scan = scan_from(source, "source"), target_scan = scan_from(target, "target");
+  return without_gil([&](const std::stop_token& stop) {
+    options.stop = stop;
+    const Lengths lengths = lengths_for(*source_scan, *target_scan, options);
+    std::vector<Result> results;
+    for (AlignResult& found : augicp::find_pose(*source_scan, *target_scan, options))
+      results.push_back(with_lengths(std::move(found), lengths, options));
+    return results;
   });
 }
 
@@ -65,6 +104,8 @@ void bind_align(py::module_& module) {
   module.def("align", &align, py::arg("source"), py::arg("target"), py::arg("initial") = py::none(),
              py::arg("method") = usual["method"], py::arg("threads") = usual["threads"],
              (kDoc + options_doc<RegistrationOptions>()).c_str());
+  module.def("find_pose", &find_pose, py::arg("source"), py::arg("target"), py::arg("method") = usual["method"],
+             py::arg("threads") = usual["threads"], kFindDoc);
 }
 
 }  // namespace augicp::python

@@ -164,3 +164,43 @@ def test_options_repeat_the_call(small):
     result = augicp.align(source, target, search=False, max_angle=0.5)
     assert not result.options["search"] and result.options["radius"] > 0
     assert same_bits(augicp.align(source, target, **result.options), result)
+
+
+def turned(cloud):
+    """The cloud in another frame: a half turn about a slanting axis, and 3 m."""
+    axis = np.array([1.0, 2.0, 2.0]) / 3.0
+    motion = np.eye(4)
+    motion[:3, :3] = 2.0 * np.outer(axis, axis) - np.eye(3)
+    motion[:3, 3] = [1.0, -2.0, 2.0]
+    return cloud.transformed(motion), motion
+
+
+def test_without_a_guess_as_the_command(tmp_path, room):
+    moved, _ = turned(room[0])
+    paths = [tmp_path / "source.npy", tmp_path / "target.npy"]
+    arrays = [moved.points_from_origin, room[1].points_from_origin]
+    for path, array in zip(paths, arrays):
+        np.save(path, array)
+    told = command_json("align", *paths, "--global", "--json", "-", "--trace")
+    result = augicp.align(*arrays, initial="global")
+    assert_equals_command(result, told)
+    assert same_bits(augicp.align(*arrays, global_=True), result)
+    found = augicp.find_pose(*arrays)
+    assert same_bits(found[0], result) and found[0].status == result.status
+    assert all(other.evidence.strain >= found[0].evidence.strain for other in found)
+
+
+def test_without_a_guess_the_frame_of_the_source_does_not_matter(room):
+    truth = np.loadtxt(ROOM / "T_target_source.txt")
+    moved, motion = turned(room[0])
+    result = augicp.align(moved, room[1], initial="global")
+    assert result
+    assert np.allclose(result.T_target_source @ motion, truth, atol=0.02)
+
+
+def test_words_for_a_guess_are_refused(room):
+    with pytest.raises(augicp.ArgumentError, match="initial.*global"):
+        augicp.align(*room, initial="anywhere")
+    with pytest.raises(augicp.ArgumentError, match="global"):
+        augicp.align(*room, initial="global", preset="paper")
+    assert augicp.find_pose(np.zeros((0, 3)), room[1]) == []

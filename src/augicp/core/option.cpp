@@ -14,7 +14,9 @@ std::string_view suffix_of(Unit unit) {
 }  // namespace
 
 std::string outer_name(const OptionText& text) {
-  return std::string(text.name) + (outer_unit(text.unit) == Unit::Degrees ? "_deg" : "");
+  std::string_view name = text.name;
+  if (name.ends_with('_')) name.remove_suffix(1);
+  return std::string(name) + (outer_unit(text.unit) == Unit::Degrees ? "_deg" : "");
 }
 
 std::string flag_name(const OptionText& text) {

@@ -27,7 +27,8 @@ inline constexpr auto kWords<Unit> = std::to_array<Word<Unit>>({{Unit::None, ""}
                                                                 {Unit::Chi2, "in units of chi2"}});
 
 struct OptionText {
-  std::string_view name;  // the keyword in Python; ends in _s for seconds and in _chi2 for units of chi2
+  // The keyword in Python; ends in _s for seconds and in _chi2 for units of chi2, and in _ if it is a reserved word.
+  std::string_view name;
   Unit unit = Unit::None;
   std::string_view group;       // heading in help texts
   std::string_view help;        // without unit, default and full stop
@@ -45,7 +46,7 @@ constexpr double inner_value(Unit unit, double value) {
   return unit == Unit::Radians ? value * std::numbers::pi / 180.0 : value;
 }
 
-// The name in JSON and reports: with _deg if they have degrees.
+// The name in JSON and reports: with _deg if they have degrees, without the _ of a reserved word.
 std::string outer_name(const OptionText& text);
 
 // The name on the command line, without the dashes before it: max-angle-deg, time-offset, kernel.

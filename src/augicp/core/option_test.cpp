@@ -22,6 +22,12 @@ TEST(Option, FlagsLackTheSuffixOfTheUnit) {
   EXPECT_EQ(outer_name({"time_offset_s", Unit::Seconds, "", ""}), "time_offset_s");
 }
 
+TEST(Option, ReservedWordsLoseTheirUnderscoreOutside) {
+  const OptionText reserved{"global_", Unit::None, "", ""};
+  EXPECT_EQ(flag_name(reserved), "global");
+  EXPECT_EQ(outer_name(reserved), "global");
+}
+
 TEST(Option, TheSourceOfWhatIsNotSetIsNamed) {
   EXPECT_EQ(described({"radius", Unit::Metres, "", "Of the ball", "derived"}, Unit::Metres),
             "Of the ball, metres (default: derived)");

@@ -9,12 +9,15 @@
 
 namespace augicp {
 
+// Not set: there is none.
+using Guess = std::optional<Rigid3>;
+
 // The loop at full resolution and its verdict, from one start after the other. Poses are between the scans' points. The
 // scans must outlive it.
 class FullResolution {
  public:
   // guess: where the search for the pose began.
-  FullResolution(const ScanPair& pair, const Rigid3& guess_target_from_source, const RegistrationOptions& options);
+  FullResolution(const ScanPair& pair, const Guess& guess_target_from_source, const RegistrationOptions& options);
 
   // Motions that the scans say nothing of are free, whatever the information of noisy surfaces: along them the result
   // is at the guess. Motions of which clouds say something are not, however little information there is.

@@ -19,6 +19,9 @@ constexpr std::size_t kNumWitnesses = 4096;
 constexpr double kDistancePerDepth = 0.015;
 constexpr double kDistancePerRadius = 0.5;
 
+// Without a guess a pose is as far from it as a half turn takes the points: no pose is nearer than another.
+constexpr double kMovedFromAnywhere = 2.0;
+
 Cloud witnesses(const Cloud& cloud) { return evenly_chosen(cloud, kNumWitnesses); }
 
 float sight_tolerance(const Lengths& lengths) { return static_cast<float>(kDistancePerRadius * lengths.radius); }
@@ -66,7 +69,7 @@ std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths) {
   return seen->place();
 }
 
-Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const Rigid3& guess_target_from_source,
+Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::optional<Rigid3>& guess_target_from_source,
              const AlignOptions& options)
     : pair_(pair),
       matcher_(matcher),
@@ -110,7 +113,8 @@ AlignResult Judge::judged(AlignResult result) const {
   Evidence evidence = this->evidence(result.target_from_source);
   add_last_step(result, pair_.lengths.extent, evidence);
   evidence.observability = result.observability.weakest();
-  evidence.moved = moved(of_source_, guess_target_from_source_, result.target_from_source);
+  evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, result.target_from_source)
+                                             : kMovedFromAnywhere;
   const Verdict verdict = decide(reached, evidence);
   result.status = verdict.status;
   result.doubts = verdict.doubts;

@@ -28,8 +28,8 @@ AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths);
 // Thread safety: const calls may run concurrently.
 class Judge {
  public:
-  // matcher: of the target, as it is registered with. guess: where the search for the pose began.
-  Judge(const ScanPair& pair, const ScanMatcher& matcher, const Rigid3& guess_target_from_source,
+  // matcher: of the target, as it is registered with. guess: where the search for the pose began; not set: anywhere.
+  Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::optional<Rigid3>& guess_target_from_source,
         const AlignOptions& options);
 
   // Under a pose between the scans' points.
@@ -45,7 +45,7 @@ class Judge {
  private:
   ScanPair pair_;
   const ScanMatcher& matcher_;
-  Rigid3 guess_target_from_source_;
+  std::optional<Rigid3> guess_target_from_source_;
   AlignOptions options_;
   Cloud of_source_, of_target_;                             // the points that are compared
   std::unique_ptr<ScanMatcher> target_says_, source_says_;  // what they are compared with; null: matcher_

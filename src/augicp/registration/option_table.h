@@ -39,6 +39,7 @@ void for_each_option(Options& options, const Visit& visit) {
   visit({"damping", None, kPreset, "lambda of Eq. (10), relative to H's mean diagonal", preset}, options.damping);
   visit({"search", None, kBeyondPaper, "Other guesses are tried if the given one leads nowhere convincing"},
         options.search);
+  visit({"global_", None, kBeyondPaper, "The guess is ignored: the pose is searched among all"}, options.global);
   visit({"coarse_to_fine", None, kBeyondPaper, "Large images are first aligned downsampled"}, options.coarse_to_fine);
   visit({"rolling_shutter", None, kBeyondPaper, "Images bent by a rolling shutter are straightened"},
         options.rolling_shutter);

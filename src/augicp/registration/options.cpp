@@ -67,6 +67,7 @@ void RegistrationOptions::check() const {
   if (damping) require_not_negative("damping", *damping);
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
   require_not_negative("min_step", min_step);
+  require(!(global && preset == Preset::Paper), "global", global, "must be off under the paper's preset");
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }
 

@@ -58,8 +58,9 @@ struct RegistrationOptions {
   std::optional<double> damping;      // see AlignOptions
 
   // Beyond the paper, and off under its preset.
-  bool search = true;           // if the guess does not convince, others are tried: see search_starts()
-  bool coarse_to_fine = true;   // large images are aligned at a coarse resolution first
+  bool search = true;          // if the guess does not convince, others are tried: see search_starts(), global_starts()
+  bool global = false;         // there is no guess: the pose is searched among all, see global_starts()
+  bool coarse_to_fine = true;  // large images are aligned at a coarse resolution first
   bool rolling_shutter = true;  // the distortion of rolling shutters is removed, see ReadoutMotion
 
   // A third measurement, if both inputs have intensities: their brightness, see objective/intensity.h. At full

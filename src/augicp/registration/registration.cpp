@@ -64,6 +64,10 @@ AlignResult between_frames(AlignResult result, const Cloud& source, const Cloud&
   return result;
 }
 
+bool have_extent(const ScanPair& pair) {
+  return !pair.source.cloud.empty() && !pair.target.cloud.empty() && pair.lengths.max_distance > 0.0;
+}
+
 }  // namespace
 
 Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
@@ -101,7 +105,7 @@ AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target
                               const RegistrationOptions& options) {
   is_projective(pair.target, options.association);  // throws where it cannot be
   const Cloud &source = pair.source.cloud, &target = pair.target.cloud;
-  if (source.empty() || target.empty() || !(pair.lengths.max_distance > 0.0)) {
+  if (!have_extent(pair)) {
     AlignResult nothing;
     nothing.target_from_source = initial_target_from_source;
     return nothing;
@@ -121,6 +125,16 @@ Registration register_scans(Scan source, Scan target, const Rigid3& initial_targ
                             const RegistrationOptions& options) {
   return register_pair(prepare_pair(std::move(source), std::move(target), options), initial_target_from_source,
                        options);
+}
+
+std::vector<AlignResult> find_pose(Scan source, Scan target, RegistrationOptions options) {
+  options.global = true;
+  const PreparedPair pair = prepare_pair(std::move(source), std::move(target), options);
+  is_projective(pair.target, options.association);  // throws where it cannot be
+  if (!have_extent(pair)) return {};
+  std::vector<AlignResult> found = from_anywhere(pair, options);
+  for (AlignResult& result : found) result = between_frames(std::move(result), pair.source.cloud, pair.target.cloud);
+  return found;
 }
 
 }  // namespace augicp

@@ -11,6 +11,8 @@
 // are bit-identical for any number of threads.
 #pragma once
 
+#include <vector>
+
 #include "augicp/registration/options.h"
 #include "augicp/registration/prepared_pair.h"
 
@@ -40,5 +42,11 @@ AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target
 // prepare_pair() and register_pair().
 Registration register_scans(Scan source, Scan target, const Rigid3& initial_target_from_source = {},
                             const RegistrationOptions& options = {});
+
+// The motion between two raw scans of which nothing is known: every pose that was found, the best first, each with its
+// evidence. The first has the status that register_scans() gives with RegistrationOptions::global, the others have
+// those that they would have alone. Empty if the scans have nothing alike. Throws std::invalid_argument for the paper's
+// preset.
+std::vector<AlignResult> find_pose(Scan source, Scan target, RegistrationOptions options = {});
 
 }  // namespace augicp

@@ -39,7 +39,7 @@ struct Evidence {
   double last_rotation_step = std::numeric_limits<double>::infinity();  // radians
   double observability = 1.0;                                           // of the weakest direction, see observability.h
   double beyond_planes = 1.0;  // share of the points that agree off the three largest planes, see beyond_planes.h
-  double moved = 0.0;          // RMS motion of the source from the guess, divided by its radius of gyration
+  double moved = 0.0;  // RMS motion of the source from the guess, divided by its radius of gyration; 2: no guess
 };
 
 // Limits of a trusted pose. docs/lab/verdict.md has the measurements behind each number.

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Registration without a guess.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "augicp/registration/registration.h"
+#include "augicp/synthetic/objects.h"
+#include "augicp/testing/matchers.h"
+#include "augicp/testing/poses.h"
+#include "augicp/testing/room_pair.h"
+
+namespace augicp {
+namespace {
+
+using testing::NearPose;
+
+struct Pair {
+  Cloud source, target;
+  Rigid3 target_from_source;
+};
+
+Pair object_anywhere(const std::string& name, unsigned seed) {
+  const auto all = synthetic::objects();
+  const auto object = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  std::mt19937 generator(seed);
+  Pair pair;
+  pair.target_from_source = testing::random_motion(generator, testing::uniform(generator, 1.0, 3.1), 2.0);
+  pair.target = synthetic::sampled(*object, 15000, 0.0005, generator);
+  pair.source = transform(synthetic::sampled(*object, 15000, 0.0005, generator), inverse(pair.target_from_source));
+  return pair;
+}
+
+RegistrationOptions without_guess() {
+  RegistrationOptions options;
+  options.global = true;
+  return options;
+}
+
+TEST(WithoutGuess, ObjectsMeetFromAnywhere) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Pair pair = object_anywhere("bracket", seed);
+    const AlignResult result = register_scans(scan_of(pair.source), scan_of(pair.target), {}, without_guess()).result;
+    EXPECT_EQ(result.status, AlignStatus::Converged) << seed;
+    EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.01)) << seed;
+  }
+}
+
+// The guess leads nowhere, nor does what is tried around it.
+TEST(WithoutGuess, IsTriedWhereAGuessConvincesNowhere) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Pair pair = object_anywhere("bracket", seed);
+    const AlignResult result = register_scans(scan_of(pair.source), scan_of(pair.target)).result;
+    EXPECT_EQ(result.status, AlignStatus::Converged) << seed;
+    EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.01)) << seed;
+  }
+}
+
+TEST(WithoutGuess, TheGuessIsIgnored) {
+  const Pair pair = object_anywhere("bracket", 1);
+  std::mt19937 generator(9);
+  const Rigid3 guess = testing::random_motion(generator, 2.0, 30.0);
+  const auto from = [&](const Rigid3& initial) {
+    return register_scans(scan_of(pair.source), scan_of(pair.target), initial, without_guess()).result;
+  };
+  EXPECT_EQ(from(guess).target_from_source.matrix(), from({}).target_from_source.matrix());
+  EXPECT_EQ(from(guess).status, from({}).status);
+}
+
+TEST(WithoutGuess, DepthImagesMeetFromAnywhere) {
+  std::mt19937 generator(4);
+  const testing::ScanPair pair = testing::room_pair(testing::random_motion(generator, 0.3, 0.3));
+  const AlignResult result = register_scans(pair.source, pair.target, {}, without_guess()).result;
+  EXPECT_EQ(result.status, AlignStatus::Converged);
+  EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.02));
+}
+
+TEST(WithoutGuess, WhatIsNotThereIsNotFound) {
+  const Cloud bracket = object_anywhere("bracket", 1).source, mug = object_anywhere("mug", 2).target;
+  EXPECT_NE(register_scans(scan_of(bracket), scan_of(mug), {}, without_guess()).result.status, AlignStatus::Converged);
+}
+
+TEST(WithoutGuess, ResultsAreTheSameOnAnyNumberOfThreads) {
+  const Pair pair = object_anywhere("bracket", 2);
+  RegistrationOptions options = without_guess();
+  const auto with_threads = [&](int num_threads) {
+    options.num_threads = num_threads;
+    return find_pose(scan_of(pair.source), scan_of(pair.target), options);
+  };
+  const auto alone = with_threads(1);
+  ASSERT_FALSE(alone.empty());
+  for (const int num_threads : {2, 5, 8}) {
+    const auto found = with_threads(num_threads);
+    ASSERT_EQ(found.size(), alone.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+      EXPECT_EQ(found[k].target_from_source.matrix(), alone[k].target_from_source.matrix());
+  }
+}
+
+TEST(FindPose, BestFirstWithEvidence) {
+  const Pair pair = object_anywhere("bracket", 3);
+  const auto found = find_pose(scan_of(pair.source), scan_of(pair.target));
+  ASSERT_FALSE(found.empty());
+  EXPECT_THAT(found.front().target_from_source, NearPose(pair.target_from_source, 0.01, 0.01));
+  EXPECT_EQ(found.front().status, AlignStatus::Converged);
+  for (const AlignResult& result : found) EXPECT_TRUE(result.evidence.has_value());
+  for (std::size_t k = 1; k < found.size(); ++k) EXPECT_GE(strain(*found[k].evidence), strain(*found[0].evidence));
+}
+
+TEST(FindPose, OfEmptyAndSinglePointsIsNothing) {
+  const Cloud bracket = object_anywhere("bracket", 1).source;
+  Cloud point;
+  point.points.push_back(Vec3f::Ones());
+  EXPECT_TRUE(find_pose(scan_of({}), scan_of(bracket)).empty());
+  EXPECT_TRUE(find_pose(scan_of(bracket), scan_of(point)).empty());
+  EXPECT_EQ(register_scans(scan_of({}), scan_of(bracket), {}, without_guess()).result.status, AlignStatus::TooFewPairs);
+}
+
+TEST(FindPose, ThePapersPresetIsRefused) {
+  RegistrationOptions options;
+  options.preset = Preset::Paper;
+  EXPECT_THROW(find_pose({}, {}, options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace augicp

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/registration/start/global_starts.h"
+
+#include <algorithm>
+
+#include "augicp/core/angles.h"
+#include "augicp/core/stop.h"
+#include "augicp/global/candidate_poses.h"
+#include "augicp/registration/start/lead_on.h"
+#include "augicp/registration/thin_scan.h"
+
+namespace augicp {
+namespace {
+
+// Part of the ball in which surfaces are estimated: descriptors of five and ten voxels are of two and a half and five
+// balls, a twelfth and a sixth of the extent.
+constexpr double kVoxelPerRadius = 0.5;
+
+constexpr std::size_t kMaxCandidates = 4;
+
+// The best supported candidates are led on with more points whatever few points say of them: at little overlap these
+// take the right one for less plausible than others.
+constexpr std::size_t kKeptBySupport = 2;
+constexpr double kSameAngle = 3.0 * kRadPerDeg;
+
+// How finely the scans are seen, and for how many iterations.
+struct Level {
+  int num_columns;
+  double voxels;
+  int num_iterations;
+};
+constexpr Level kCoarse{40, 8.0, 10}, kMiddle{80, 4.0, 20};  // as in the search around a guess
+
+std::vector<Rigid3> best_on(const Level& level, const ScanPair& pair, std::span<const Rigid3> starts,
+                            const RegistrationOptions& options) {
+  throw_if_stopped(options.stop);
+  const PreparedPair scans = coarser(pair, level.num_columns, level.voxels);
+  const ScanMatch match(scans, options);
+  AlignOptions by = match.usual_options();
+  by.max_iterations = level.num_iterations;
+  std::vector<Rigid3> best;
+  for (const Hypothesis& found : best_of(led_on(match, starts, by), kMaxCandidates, pair.lengths.radius, kSameAngle))
+    best.push_back(found.target_from_source);
+  return best;
+}
+
+}  // namespace
+
+std::vector<Rigid3> global_starts(const ScanPair& pair, const RegistrationOptions& options) {
+  CandidateOptions candidates;
+  candidates.voxel_size = kVoxelPerRadius * pair.lengths.radius;
+  candidates.num_threads = options.num_threads;
+  candidates.stop = options.stop;
+  std::vector<Rigid3> starts;
+  for (const SeedPose& pose : candidate_poses(pair.source.cloud, pair.target.cloud, candidates))
+    starts.push_back(pose.target_from_source);
+  std::vector<Rigid3> kept = best_on(kCoarse, pair, starts, options);
+  kept.insert(kept.end(), starts.begin(),
+              starts.begin() + static_cast<std::ptrdiff_t>(std::min(kKeptBySupport, starts.size())));
+  return best_on(kMiddle, pair, kept, options);
+}
+
+}  // namespace augicp

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "augicp/registration/scan_match.h"
+
+namespace augicp {
+
+// Starts that need no guess, from which the scans at full resolution may meet: candidate_poses(), each led on by a few
+// iterations on few points and compared by agreement and free space, and the most plausible ones led on with more
+// points. The most plausible first; none if nothing is alike. Both scans must be prepared.
+std::vector<Rigid3> global_starts(const ScanPair& pair, const RegistrationOptions& options);
+
+}  // namespace augicp
