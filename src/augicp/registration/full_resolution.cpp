@@ -53,7 +53,7 @@ FreeDirections free_first(const Observability& seen, const std::vector<bool>& is
 
 }  // namespace
 
-FullResolution::FullResolution(const ScanPair& pair, const Rigid3& guess_target_from_source,
+FullResolution::FullResolution(const ScanPair& pair, const Guess& guess_target_from_source,
                                const RegistrationOptions& options)
     : pair_(pair),
       guess_target_from_source_(guess_target_from_source),
@@ -104,13 +104,13 @@ FreeDirections FullResolution::free_directions(const AlignResult& result) const 
 }
 
 Rigid3 FullResolution::at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const {
-  if (free.num_free == 0) return target_from_source;
-  const Vec6d moved = increment_between(guess_target_from_source_, target_from_source);
+  if (free.num_free == 0 || !guess_target_from_source_) return target_from_source;
+  const Vec6d moved = increment_between(*guess_target_from_source_, target_from_source);
   Vec6d along = free.seen.directions.fullPivLu().solve(moved);
   along.head(free.num_free).setZero();
   const Vec6d beside = free.seen.directions * along;
   if (beside.tail<3>().norm() > kMaxTurnBeside) return target_from_source;
-  return retract(guess_target_from_source_, beside);
+  return retract(*guess_target_from_source_, beside);
 }
 
 // Whether the scans can be asked: brightness may constrain what shapes do not.
@@ -121,7 +121,8 @@ bool FullResolution::can_be_asked(const AlignResult& result) const {
 
 AlignResult FullResolution::from(const Rigid3& start) const {
   AlignResult result = aligned(start, std::nullopt);
-  bool is_at_guess = result.free_motions.empty() || start.matrix() == guess_target_from_source_.matrix();
+  bool is_at_guess = result.free_motions.empty() || !guess_target_from_source_ ||
+                     start.matrix() == guess_target_from_source_->matrix();
   for (int round = 0; round < kMaxRounds && can_be_asked(result); ++round) {
     const FreeDirections free = free_directions(result);
     const bool is_known = free.num_free == static_cast<int>(result.free_motions.size()) &&

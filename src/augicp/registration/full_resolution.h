@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "augicp/registration/judge.h"
 #include "augicp/registration/options.h"
@@ -20,7 +21,8 @@ class FullResolution {
   FullResolution(const ScanPair& pair, const Guess& guess_target_from_source, const RegistrationOptions& options);
 
   // Motions that the scans say nothing of are free, whatever the information of noisy surfaces: along them the result
-  // is at the guess. Motions of which clouds say something are not, however little information there is.
+  // is at the guess, or at the start if there is none. Motions of which clouds say something are not, however little
+  // information there is.
   AlignResult from(const Rigid3& start_target_from_source) const;
 
   // Whether a pose found on few points is near enough to a supported one to be led on.
@@ -34,7 +36,7 @@ class FullResolution {
   Rigid3 at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const;
 
   ScanPair pair_;
-  Rigid3 guess_target_from_source_;
+  Guess guess_target_from_source_;
   bool is_paper_;
   AlignOptions align_by_;
   std::unique_ptr<ScanMatcher> matcher_;
