@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "augicp/core/check.h"
@@ -25,6 +26,24 @@ constexpr std::uint16_t kOutOfRange = 65535;
 std::uint16_t grey(float depth, double depth_scale) {
   const double value = std::round(static_cast<double>(depth) * depth_scale);
   return value > 0.0 && value < kOutOfRange ? static_cast<std::uint16_t>(value) : std::uint16_t{0};  // NaN fails
+}
+
+// Nearly all readings of depth cameras are within, metres.
+constexpr float kNearest_m = 0.2f, kFarthest_m = 10.0f;
+constexpr double kTail = 0.01;
+
+std::vector<float> readings_of(const DepthImage& image) {
+  std::vector<float> readings;
+  std::copy_if(image.depth.begin(), image.depth.end(), std::back_inserter(readings),
+               [](float z) { return !std::isnan(z); });
+  return readings;
+}
+
+// The nearest and the farthest reading but for a hundredth at each end. REQUIRES: there are readings.
+std::pair<float, float> range_of(const DepthImage& image) {
+  const std::vector<float> readings = readings_of(image);
+  const auto rank = static_cast<std::size_t>(kTail * static_cast<double>(readings.size() - 1));
+  return {value_at_rank(readings, rank), value_at_rank(readings, readings.size() - 1 - rank)};
 }
 
 }  // namespace
@@ -50,9 +69,7 @@ bool tells_depth_scale(const DepthImage& image) {
 
 std::optional<std::string> depth_scale_problem(const DepthImage& image, double depth_scale) {
   constexpr float kNearest = 0.05f, kFarthest = 200.0f;  // metres; the range of depth cameras and LiDARs
-  std::vector<float> readings;
-  std::copy_if(image.depth.begin(), image.depth.end(), std::back_inserter(readings),
-               [](float z) { return !std::isnan(z); });
+  std::vector<float> readings = readings_of(image);
   if (readings.empty()) return std::nullopt;
   const float middle = upper_median(std::move(readings));
   if (middle >= kNearest && middle <= kFarthest) return std::nullopt;
@@ -60,6 +77,17 @@ std::optional<std::string> depth_scale_problem(const DepthImage& image, double d
       "the median depth is {} m: is the depth scale {} right? It is a divisor, metres = value / scale; "
       "5000 for TUM, 1000 for most others",
       middle, depth_scale);
+}
+
+std::optional<std::string> depth_scale_suspicion(const DepthImage& image, double depth_scale) {
+  if (!tells_depth_scale(image)) return std::nullopt;
+  const auto [near, far] = range_of(image);
+  if (near < kNearest_m || far > kFarthest_m)
+    return fmt::format(
+        "readings are from {:.2g} to {:.3g} m, unusual for a depth camera: is the depth scale {} right? 5000 for TUM, "
+        "1000 for most others",
+        near, far, depth_scale);
+  return std::nullopt;
 }
 
 void check_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {

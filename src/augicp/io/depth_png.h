@@ -22,6 +22,11 @@ DepthImage parse_depth_png(const FileBytes& file, double depth_scale);
 // well or there are no readings. depth_scale is for the message.
 std::optional<std::string> depth_scale_problem(const DepthImage& image, double depth_scale);
 
+// Why another depth scale is likely: readings (but for a hundredth at each end) nearer than 0.2 or farther than 10 m,
+// beyond the range of depth cameras. Empty if nothing suggests one. A suspicion only: there are cameras for other
+// ranges.
+std::optional<std::string> depth_scale_suspicion(const DepthImage& image, double depth_scale);
+
 // Whether an image has enough readings to judge the depth scale: a few speckles in a black image do not suffice.
 bool tells_depth_scale(const DepthImage& image);
 

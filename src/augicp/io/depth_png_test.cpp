@@ -155,5 +155,25 @@ TEST(DepthPng, WritingToAFullDiskIsAnError) {
   EXPECT_THROW(write_depth_png("/dev/full", {1, 1, {1.0f}}, 1000.0), IoError);
 }
 
+TEST(DepthPng, ADepthScaleIsSuspectedByTheRange) {
+  DepthImage image;
+  image.width = 40;
+  image.height = 30;
+  const auto readings = [&](float near, float far) {
+    image.depth.clear();
+    for (int i = 0; i < 1200; ++i) image.depth.push_back(near + (far - near) * static_cast<float>(i) / 1199.0f);
+    return depth_scale_suspicion(image, 1000.0).has_value();
+  };
+  EXPECT_FALSE(readings(0.5f, 4.0f));
+  EXPECT_TRUE(readings(0.1f, 0.8f));   // millimetres read as TUM's
+  EXPECT_TRUE(readings(2.5f, 20.0f));  // TUM's read as millimetres
+  readings(0.5f, 4.0f);
+  image.depth.front() = 0.01f;  // a single one is no reason
+  image.depth.back() = 60.0f;
+  EXPECT_FALSE(depth_scale_suspicion(image, 1000.0));
+  image.depth.assign(1200, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(depth_scale_suspicion(image, 1000.0));
+}
+
 }  // namespace
 }  // namespace augicp

@@ -24,6 +24,27 @@ constexpr Format kFormats[] = {{".ply", parse_ply}, {".pcd", parse_pcd}, {".xyz"
                                {".csv", parse_xyz}, {".pts", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy},
                                {".las", parse_las}, {".laz", parse_las}, {".stl", parse_stl},   {".obj", parse_obj}};
 
+struct Advice {
+  std::string_view extension, advice;
+};
+
+// Formats that people have, and how to make one that is read.
+constexpr Advice kAdvice[] = {
+    {".las", "pdal translate IN.las OUT.ply"},
+    {".laz", "pdal translate IN.laz OUT.ply"},
+    {".e57", "pdal translate IN.e57 OUT.ply"},
+    {".obj", "sample the mesh: CloudCompare -O IN.obj -SAMPLE_MESH POINTS 1000000 -C_EXPORT_FMT PLY -SAVE_CLOUDS"},
+    {".stl", "sample the mesh: CloudCompare -O IN.stl -SAMPLE_MESH POINTS 1000000 -C_EXPORT_FMT PLY -SAVE_CLOUDS"},
+    {".bag", "rosrun pcl_ros bag_to_pcd IN.bag TOPIC FOLDER"},
+    {".asc", "rename it to .xyz"},
+    {".jpg", "depth images are 16-bit .png; a .jpg has lost its depths"}};
+
+std::string advice_for(std::string_view extension) {
+  for (const Advice& known : kAdvice)
+    if (known.extension == extension) return "; " + std::string(known.advice);
+  return {};
+}
+
 const Format& format_of(const std::filesystem::path& path) {
   const std::string extension = lower_case_extension(path);
   std::string known;
@@ -32,7 +53,8 @@ const Format& format_of(const std::filesystem::path& path) {
     known += ' ';
     known += format.extension;
   }
-  throw io_error(path, "expected one of the extensions" + known + ", found " + in_quotes(extension));
+  throw io_error(path,
+                 "expected one of the extensions" + known + ", found " + in_quotes(extension) + advice_for(extension));
 }
 
 }  // namespace
