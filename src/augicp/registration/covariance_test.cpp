@@ -54,5 +54,19 @@ TEST(Covariance, TellsTheSpreadOfErrors) {
   }
 }
 
+// An increment moves a point by t + r x place, so that is its translation about the point.
+TEST(Covariance, AboutAnotherPointIsThatOfTheSameMotions) {
+  const Vec3d offset(3.0, -2.0, 0.5);
+  for (int k = 0; k < 6; ++k) {
+    Vec6d increment = 0.1 * Vec6d::Ones();
+    increment[k] = -1.0;
+    Vec6d about = increment;
+    about.head<3>() += increment.tail<3>().cross(offset);
+    const Mat6d covariance = increment * increment.transpose();
+    EXPECT_LT((covariance_about(covariance, offset) - about * about.transpose()).norm(), 1e-12);
+    EXPECT_LT((covariance_about(covariance_about(covariance, offset), -offset) - covariance).norm(), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace augicp

@@ -2,8 +2,10 @@
 #include "augicp/registration/options.h"
 
 #include <limits>
+#include <numbers>
 
 #include "augicp/core/check.h"
+#include "augicp/registration/voxel_radius.h"
 
 namespace augicp {
 namespace {
@@ -62,6 +64,7 @@ void RegistrationOptions::check() const {
   if (voxel_size) require_positive("voxel_size", *voxel_size);
   if (max_distance) require(*max_distance > 0.0, "max_distance", *max_distance, "must be above 0");
   require(max_angle > 0.0, "max_angle", max_angle, "must be above 0");
+  require(max_angle <= std::numbers::pi, "max_angle", max_angle, "must be at most pi; it is in radians, not degrees");
   if (kernel_chi2) require_positive("kernel_chi2", *kernel_chi2);
   if (lever) require_not_negative("lever", *lever);
   if (damping) require_not_negative("damping", *damping);
@@ -79,7 +82,10 @@ RegistrationOptions iterations_alone() {
 
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options) {
   Lengths lengths = derive_lengths(source, target);
-  lengths.radius = options.radius.value_or(lengths.radius);
+  if (options.radius)
+    lengths.radius = *options.radius;
+  else if (options.voxel_size)
+    lengths.radius = radius_for(*options.voxel_size, source, target, lengths);
   lengths.voxel_size = options.voxel_size.value_or(voxel_size_for(lengths.radius));
   lengths.max_distance = options.max_distance.value_or(lengths.max_distance);
   return lengths;

@@ -12,6 +12,7 @@
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/parallel.h"
 #include "augicp/geometry/rigid3.h"
+#include "augicp/geometry/rotation.h"
 
 namespace augicp {
 namespace {
@@ -110,6 +111,12 @@ std::optional<Mat6d> covariance(const Matcher& matcher, const Solution& solution
   const Mat6d half = A.solve(*M);  // A^-1 M, whose transpose is M A^-1
   const Mat6d both = A.solve(Mat6d(half.transpose()));
   return 0.5 * (both + both.transpose());
+}
+
+Mat6d covariance_about(const Mat6d& covariance, const Vec3d& offset) {
+  Mat6d moved_from_increment = Mat6d::Identity();
+  moved_from_increment.topRightCorner<3, 3>() = -cross_matrix(offset);  // r x offset = -offset x r
+  return moved_from_increment * covariance * moved_from_increment.transpose();
 }
 
 }  // namespace augicp

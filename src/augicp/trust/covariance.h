@@ -30,4 +30,9 @@ struct Solution {
 std::optional<Mat6d> covariance(const Matcher& matcher, const Solution& solution, double correlation_length,
                                 const Mat6d& directions, int num_threads);
 
+// The same covariance for increments that rotate about another point: `offset`, metres, leads there from the point
+// about which those of `covariance` rotate. A translation is that of the point: t' = t + r x offset. Far from the
+// points, translations are mostly rotations seen from afar; near their centre both are what they seem.
+Mat6d covariance_about(const Mat6d& covariance, const Vec3d& offset);
+
 }  // namespace augicp
