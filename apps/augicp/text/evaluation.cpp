@@ -8,6 +8,7 @@
 #include "apps/augicp/text/options_json.h"
 #include "augicp/core/angles.h"
 #include "augicp/eval/option_table.h"
+#include "augicp/geometry/rotation.h"
 
 namespace augicp::app {
 namespace {
@@ -67,6 +68,23 @@ std::string relative_text(const Evaluation& evaluation) {
                      options.consecutive ? ", one after the other" : "");
 }
 
+// Whether both trajectories are in one frame: the alignment then removes drift alone, at most this rotation and this
+// multiple of what remains after it.
+constexpr double kMaxRotationOfDrift_deg = 20.0;
+constexpr double kMaxRatioOfDrift = 10.0;
+bool shares_frame(const Evaluation& evaluation) {
+  if (!evaluation.aligned || !evaluation.alignment.unique) return true;
+  const double angle = rotation_log(evaluation.alignment.target_from_source.motion.rotation).norm();
+  return angle * kDegPerRad < kMaxRotationOfDrift_deg ||
+         evaluation.absolute.translation.rmse < kMaxRatioOfDrift * evaluation.aligned->translation.rmse;
+}
+
+std::string frames_text(const Evaluation& evaluation) {
+  const Rigid3& motion = evaluation.alignment.target_from_source.motion;
+  return fmt::format("ATE not aligned: the trajectories are in different frames, {:.3g} m and {:.3g} deg apart\n",
+                     motion.translation.norm(), rotation_log(motion.rotation).norm() * kDegPerRad);
+}
+
 }  // namespace
 
 std::string evaluation_text(const Evaluation& evaluation) {
@@ -79,7 +97,7 @@ std::string evaluation_text(const Evaluation& evaluation) {
   text += relative_text(evaluation);
   text +=
       fmt::format("\n{:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "rmse", "mean", "median", "std", "min", "max");
-  text += rows("ATE not aligned", evaluation.absolute);
+  text += shares_frame(evaluation) ? rows("ATE not aligned", evaluation.absolute) : frames_text(evaluation);
   if (evaluation.aligned) text += rows("ATE aligned", *evaluation.aligned);
   if (evaluation.relative) text += rows("RPE", *evaluation.relative);
   return text + segments_text(evaluation.segments);
