@@ -4,15 +4,19 @@
 
     first_hour_test.py AUGICP PROJECT
 """
+import json
 import random
 import re
 import shlex
+import struct
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 AUGICP, PROJECT = Path(sys.argv[1]), Path(sys.argv[2])
+ROOM, DESK = PROJECT / "data/room_pair", PROJECT / "data/tum_fr1_desk_30"
 SUBCOMMANDS = ("align", "evaluate", "experiment", "info", "odometry", "surface", "unpack")
 
 
@@ -85,6 +89,80 @@ class WrongWordsTest(unittest.TestCase):
         self.assertIn(lines["instructions"], ("AVX-512", "AVX2", "baseline"))
         self.assertIn("compiler", lines)
         self.assertIn("reports", lines)
+
+
+class WorkTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="augicp first hour ")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def align(self, *words):
+        finished = run("align", ROOM / "source.ply", ROOM / "target.ply", *words)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        return finished
+
+    def test_progress_for_programs_names_each_step(self):
+        finished = self.align("--progress", "json", "--json", "-")
+        steps = [json.loads(line) for line in finished.stderr.splitlines()]
+        names = [step["step"] for step in steps]
+        self.assertEqual(names, ["reading", "surfaces", "aligning"])
+        self.assertEqual(sorted(step["elapsed_s"] for step in steps), [step["elapsed_s"] for step in steps])
+        self.assertEqual(self.align("--progress", "json", "--quiet").stderr, "")
+        frames = run("odometry", DESK, "--camera", "tum-fr1", "--last", 3, "--output", self.folder / "o", "--progress", "json").stderr
+        self.assertEqual([json.loads(line)["done"] for line in frames.splitlines()], [1, 2, 3])
+
+    def test_verbose_explains_the_lengths_and_the_end(self):
+        finished = self.align("--verbose", "--json", "-", "--max-distance", 1)
+        options = json.loads(finished.stdout)["options"]
+        self.assertRegex(finished.stderr, rf"radius +{options['radius']:.4g} m: derived from the extent")
+        self.assertIn("max distance  1 m: given", finished.stderr)
+        self.assertIn("25392 points read", finished.stderr)
+        self.assertRegex(finished.stderr, r"last step +\S+ of the extent")
+
+    def test_a_fine_voxel_alone_brings_its_radius(self):
+        options = json.loads(self.align("--voxel-size", 0.005, "--json", "-").stdout)["options"]
+        usual = json.loads(self.align("--json", "-").stdout)["options"]
+        self.assertGreater(options["radius"], 4 * 0.005)  # the points are sparser than that
+        self.assertLess(options["radius"], usual["radius"])
+
+    def test_a_wrong_depth_scale_is_suspected(self):
+        image = sorted((DESK / "depth").glob("*.png"))[0]
+        for scale, is_wrong in ((1000, True), (5000, False), (5000 * 1.035, False)):
+            finished = run("info", image, "--camera", "tum-fr1", "--depth-scale", scale)
+            self.assertEqual(finished.returncode, 0)
+            self.assertEqual("unusual for a depth camera" in finished.stderr, is_wrong, finished.stderr)
+
+    def test_folders_and_files_in_each_others_place_are_sent_on(self):
+        finished = run("align", DESK, ROOM / "target.ply")
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn(f"augicp odometry {DESK}", finished.stderr)
+        finished = run("odometry", ROOM / "source.ply")
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn("augicp align", finished.stderr)
+        (self.folder / "scan.las").write_bytes(b"LASF")
+        self.assertIn("pdal translate", run("info", self.folder / "scan.las").stderr)
+
+    def test_a_failed_run_leaves_no_folder(self):
+        output = self.folder / "made"
+        finished = run("odometry", DESK, "--camera", "500 500 9 9", "--depth-scale", 1, "--last", 2, "--output", output)
+        self.assertEqual(finished.returncode, 3, finished.stderr)
+        self.assertFalse(output.exists())
+        output.mkdir()
+        run("odometry", DESK, "--camera", "500 500 9 9", "--depth-scale", 1, "--last", 2, "--output", output)
+        self.assertTrue(output.exists())
+
+    def test_uncertainty_does_not_depend_on_the_zero(self):
+        near = json.loads(self.align("--json", "-").stdout)
+        paths = []
+        for name in ("source", "target"):
+            points = struct.iter_unpack("<fff", (ROOM / f"{name}.ply").read_bytes().split(b"end_header\n", 1)[1])
+            paths.append(self.folder / f"{name}.xyz")
+            paths[-1].write_text("".join(f"{x + 4e5!r} {y + 5e6!r} {z!r}\n" for x, y, z in points))
+        far = json.loads(run("align", *paths, "--json", "-").stdout)
+        for name in ("translation_m", "rotation_deg"):
+            self.assertAlmostEqual(far["uncertainty"][name] / near["uncertainty"][name], 1.0, delta=0.2)
+        self.assertLess(abs(far["reference_point"][0] - 4e5), 1e3)
 
 
 if __name__ == "__main__":

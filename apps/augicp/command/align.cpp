@@ -14,6 +14,7 @@
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/align_page.h"
 #include "apps/augicp/text/align.h"
+#include "apps/augicp/text/decisions.h"
 #include "augicp/io/transform_file.h"
 #include "augicp/registration/option_table.h"
 
@@ -24,7 +25,8 @@ struct AlignArguments {
   std::string source, target, source_image, target_image, initial, transform, output, json, page;
   InputOptions input;
   RegistrationOptions registration;
-  bool trace = false, quiet = false;
+  Progress progress = Progress::Auto;
+  bool trace = false, quiet = false, verbose = false;
 };
 
 Rigid3 initial_pose(const std::string& argument) {
@@ -46,7 +48,14 @@ AlignRun register_files(const AlignArguments& arguments) {
   report.source = arguments.source;
   report.target = arguments.target;
   run.initial = initial_pose(arguments.initial);
+  const Stopwatch started;
+  StepLine line(arguments.quiet ? Progress::None : arguments.progress);
+  const auto begin = [&](const char* word, std::string text) {
+    line.show(word, text);
+    report.steps.emplace_back(std::move(text), started.elapsed_ms());
+  };
   const RegistrationOptions& options = report.options = arguments.registration;
+  begin("reading", "reading " + arguments.source + " and " + arguments.target);
   report.with_history = arguments.trace;
   const Stopwatch reading;
   InputOptions with_fields = arguments.input;
@@ -59,15 +68,22 @@ AlignRun register_files(const AlignArguments& arguments) {
   Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
   report.timing_ms.read = reading.elapsed_ms();
   warn_of_units(source.cloud, target.cloud);
+  begin("surfaces", "downsampling both scans and estimating their surfaces");
   const Stopwatch preparing;
+  report.num_read = {source.cloud.size(), target.cloud.size()};
   PreparedPair prepared = prepare_pair(std::move(source), std::move(target), options);
   report.timing_ms.surface = preparing.elapsed_ms();
+  begin("aligning", "aligning");
   const Stopwatch aligning;
   Registration registration = register_pair(std::move(prepared), run.initial, options);
   report.timing_ms.align = aligning.elapsed_ms();
   report.result = std::move(registration.result);
   report.lengths = registration.prepared.lengths;
   run.prepared = std::move(registration.prepared);
+  report.reference_point = run.prepared.target.cloud.origin;
+  if (const Cloud& target_cloud = run.prepared.target.cloud; !target_cloud.empty())
+    report.centre = target_cloud.origin + median_point(target_cloud).cast<double>();
+  report.num_prepared = {run.prepared.source.cloud.size(), run.prepared.target.cloud.size()};
   return run;
 }
 
@@ -92,6 +108,7 @@ int run_align(const AlignArguments& arguments) {
   AlignRun run = register_files(arguments);
   const AlignReport& report = run.report;
   const Rigid3& pose = report.result.target_from_source;
+  if (arguments.verbose) fmt::print(stderr, "{}", decisions_text(report));
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
   if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
@@ -122,6 +139,9 @@ void add_output_options(CLI::App& command, AlignArguments& arguments) {
       .add_option("--report", arguments.page, "Write a report: one HTML file with both clouds in 3D, readable offline")
       ->group(group);
   command.add_flag("--trace", arguments.trace, "Include every iteration in the JSON")->group(group);
+  add_progress_option(command, arguments.progress);
+  command.add_flag("--verbose", arguments.verbose, "Explain on stderr what was derived, tried and decided")
+      ->group(group);
   command.add_flag("--quiet", arguments.quiet, "Print errors only")->group(group);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "apps/augicp/command/experiment_output.h"
 
-#include "apps/augicp/command/choice.h"
-
 namespace augicp::app {
 
 void add_experiment_output(CLI::App& command, ExperimentOutput& output) {
@@ -12,9 +10,7 @@ void add_experiment_output(CLI::App& command, ExperimentOutput& output) {
       ->group(group);
   command.add_option("--report", output.page, "Write a report: one HTML file with the curves, readable offline")
       ->group(group);
-  command.add_option("--progress", output.progress, "A bar on the terminal: auto or none (default auto)")
-      ->transform(choice<Progress>())
-      ->group(group);
+  add_progress_option(command, output.progress);
 }
 
 }  // namespace augicp::app

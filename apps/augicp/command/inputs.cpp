@@ -52,6 +52,7 @@ Input read_depth_input(const std::filesystem::path& path, const InputOptions& op
       options.depth_scale.value_or(depth_scale_of_camera(options.camera).value_or(kTumDepthScale));
   const DepthImage image = read_depth_image(path, depth_scale);
   check_depth_scale(image, path, depth_scale);
+  warn_of_depth_scale(image, path, depth_scale);
   const DepthCamera camera = read_camera(options.camera);
   check_fits(path, image, camera);
   Input input{grey_path.empty() ? scan_of(image, camera) : scan_of(image, read_grey_input(grey_path, image), camera),
@@ -61,6 +62,25 @@ Input read_depth_input(const std::filesystem::path& path, const InputOptions& op
   input.report.num_declared = image.depth.size();
   input.report.num_not_finite = image.depth.size() - input.scan.cloud.size();
   return input;
+}
+
+// What can be done with a folder in the place of a file.
+std::string folder_advice(const std::filesystem::path& folder) {
+  std::size_t num_scans = 0, num_images = 0;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string extension = lower_case_extension(entry->path());
+    num_scans += extension == ".ply" || extension == ".pcd" || extension == ".bin" ? 1 : 0;
+    num_images += extension == ".png" ? 1 : 0;
+  }
+  std::string text = fmt::format("{}: is a folder, expected one cloud or depth image", folder.string());
+  if (num_scans + num_images > 0)
+    text +=
+        fmt::format("; its {} are tracked by: augicp odometry {}",
+                    num_scans > num_images ? fmt::format("{} scans", num_scans) : fmt::format("{} images", num_images),
+                    folder.string());
+  return text;
 }
 
 }  // namespace
@@ -86,8 +106,14 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       ->group(group);
 }
 
+void warn_of_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {
+  if (const auto suspicion = depth_scale_suspicion(image, depth_scale))
+    fmt::print(stderr, "augicp: warning: {}: {}; see --depth-scale\n", path.string(), *suspicion);
+}
+
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path) {
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) throw IoError(folder_advice(path));
   if (is_depth_image(path, options)) return read_depth_input(path, options, grey_path);
   if (!grey_path.empty())
     throw std::invalid_argument(

@@ -49,6 +49,9 @@ void warn_of_units(const Cloud& source, const Cloud& target);
 // output lacks become a warning on stderr each, unless it is to be quiet. Throws IoError.
 void write_cloud_output(const std::string& path, const CloudFile& file, bool quiet);
 
+// Says on stderr if another depth scale is likely, see depth_scale_suspicion().
+void warn_of_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale);
+
 // The given camera, see read_camera, or else the sequence's own. Throws std::invalid_argument if there is none, and
 // IoError if its file is damaged; folder is for the message.
 DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& folder, const std::string& asked_for);

@@ -23,6 +23,7 @@
 #include "apps/augicp/page/odometry_page.h"
 #include "apps/augicp/text/odometry.h"
 #include "augicp/io/atomic_file.h"
+#include "augicp/io/depth_png.h"
 #include "augicp/io/depth_sequence.h"
 #include "augicp/io/scan_sequence.h"
 #include "augicp/io/trajectory_file.h"
@@ -179,7 +180,8 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   for (const std::size_t i : input.chosen) chosen.push_back(input.sequence.scans[i]);
   input.point_times = point_times_of(chosen, arguments.lidar.point_times);
   input.progress = arguments.quiet ? Progress::None : arguments.progress;
-  const fs::path folder = input.output = made_output_folder(arguments.output, arguments.sequence);
+  const OutputFolder made(arguments.output, arguments.sequence);
+  const fs::path folder = input.output = made.path();
   write_text_file(folder / "config.toml", effective_config(command, folder));
   LidarArguments lidar = arguments.lidar;
   lidar.odometry.num_threads = arguments.odometry.registration.num_threads;
@@ -190,13 +192,30 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   return exit_code_for(run);
 }
 
+void refuse_file(const std::string& sequence) {
+  std::error_code ignored;
+  if (fs::is_regular_file(sequence, ignored))
+    throw IoError(sequence + ": is a file, expected a folder; two files are registered by: augicp align SOURCE TARGET");
+}
+
+// By the first frame that can be read.
+void warn_by_first_frame(const DepthSequence& sequence, double depth_scale) {
+  for (const DepthFrameFile& frame : sequence.frames) try {
+      return warn_of_depth_scale(read_depth_png(frame.path, depth_scale), frame.path, depth_scale);
+    } catch (const IoError&) {  // tracking reports it
+    }
+}
+
 int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
+  refuse_file(arguments.sequence);
   arguments.odometry.check();
   evaluation_options(arguments).check();
   if (is_lidar(arguments)) return run_lidar(arguments, command);
   const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
   const DepthCamera camera = camera_for(sequence, arguments);
-  const fs::path folder = made_output_folder(arguments.output, arguments.sequence);
+  if (!arguments.quiet) warn_by_first_frame(sequence, arguments.depth_scale.value_or(sequence.depth_scale));
+  const OutputFolder made(arguments.output, arguments.sequence);
+  const fs::path& folder = made.path();
   // The options are written first, so that an unwritable folder costs no run.
   write_text_file(folder / "config.toml", effective_config(command, sequence, camera, folder));
 
@@ -256,10 +275,7 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
   command.add_option("--json", arguments.json, "With -: print metrics.json to stdout")
       ->check(CLI::IsMember({"-"}))
       ->group(group);
-  command.add_option("--progress", arguments.progress, "A bar with the frame rate on stderr, if that is a terminal")
-      ->default_str("auto")
-      ->transform(choice<Progress>())
-      ->group(group);
+  add_progress_option(command, arguments.progress);
   command.add_flag("--quiet", arguments.quiet, "Print errors only")->group(group);
 }
 

@@ -2,6 +2,7 @@
 #include "apps/augicp/command/odometry_output.h"
 
 #include <algorithm>
+#include <exception>
 
 #include "augicp/core/error.h"
 
@@ -18,14 +19,19 @@ std::string folder_for(const std::string& sequence) {
 
 }  // namespace
 
-fs::path made_output_folder(const std::string& output, const std::string& sequence) {
-  const fs::path folder = output.empty() ? folder_for(sequence) : output;
+OutputFolder::OutputFolder(const std::string& output, const std::string& sequence)
+    : path_(output.empty() ? folder_for(sequence) : output), num_exceptions_(std::uncaught_exceptions()) {
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError(folder.string() + ": cannot be made: " + error.message());
+  is_new_ = !fs::exists(path_, error);
+  fs::create_directories(path_, error);
+  if (error) throw IoError(path_.string() + ": cannot be made: " + error.message());
   for (const char* name : {"trajectory.txt", "poses_kitti.txt", "frames.csv", "covariances.csv", "metrics.json"})
-    fs::remove(folder / name, error);
-  return folder;
+    fs::remove(path_ / name, error);
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (is_new_ && std::uncaught_exceptions() > num_exceptions_) fs::remove_all(path_, ignored);
 }
 
 void require_readable(const OdometryRun& run, const std::string& what) {

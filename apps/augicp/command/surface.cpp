@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
+#include "apps/augicp/command/progress.h"
 #include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
 #include "augicp/io/field_layout.h"
@@ -24,6 +27,7 @@ struct SurfaceArguments {
   std::string input_file, output;
   InputOptions input;
   RegistrationOptions registration;
+  Progress progress = Progress::Auto;
   bool quiet = false;
 };
 
@@ -79,6 +83,8 @@ int run_surface(const SurfaceArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply"});
   require_use_of_camera(arguments.input, {arguments.input_file});
+  std::optional<StepLine> line(std::in_place, arguments.quiet ? Progress::None : arguments.progress);
+  line->show("reading", "reading " + arguments.input_file);
   InputOptions with_fields = arguments.input;
   with_fields.read.keep_fields = true;
   Input input = read_input(arguments.input_file, with_fields);
@@ -89,7 +95,9 @@ int run_surface(const SurfaceArguments& arguments) {
   const Lengths lengths = lengths_for(scan, scan, arguments.registration);
   if (!(lengths.radius > 0.0)) throw IoError(arguments.input_file + ": all points are equal, so there is no surface");
   const Cloud as_read = scan.cloud;
+  line->show("surfaces", "estimating the surface");
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
+  line.reset();
   write_cloud_output(arguments.output,
                      {cloud, std::nullopt, {}, std::nullopt, output_fields(cloud, as_read, std::move(fields))},
                      arguments.quiet);
@@ -108,6 +116,7 @@ void add_surface_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("surface", "Write the extended points: normals, tangents, structure as colour");
   command->add_option("input", arguments->input_file, "A cloud or a depth image")->required();
   command->add_option("--output", arguments->output, "The .ply to write")->required()->group("Output");
+  add_progress_option(*command, arguments->progress);
   command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");
   add_input_options(*command, arguments->input);
   add_options(*command, arguments->registration, {"preset", "radius", "voxel_size", "threads"});

@@ -3,9 +3,13 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "apps/augicp/text/matrix_json.h"
 #include "apps/augicp/text/options_json.h"
+#include "augicp/core/angles.h"
 #include "augicp/registration/option_table.h"
+#include "augicp/trust/covariance.h"
 
 namespace augicp::app {
 namespace {
@@ -92,7 +96,42 @@ std::string testimony_text(const char* name, const Testimony& testimony) {
   return text;
 }
 
+nlohmann::ordered_json uncertainty_json(const AlignReport& report) {
+  const std::optional<Uncertainty> sigma = uncertainty(report);
+  if (!sigma) return nullptr;
+  return {{"translation_m", sigma->translation},
+          {"rotation_deg", sigma->rotation * kDegPerRad},
+          {"at", std::vector<double>(report.centre.begin(), report.centre.end())}};
+}
+
+// The fit of what overlaps, as a person measures it: off the surface, not from point to point, which is the spacing.
+std::string fit_text(const AlignResult& result) {
+  if (!result.evidence || result.evidence->residuals.point.count == 0)
+    return fmt::format("pairs    {}, overlap {:.1f} %, rmse {:.4g} m\n", result.num_pairs, 100.0 * result.overlap,
+                       result.rmse);
+  const Residuals& residuals = result.evidence->residuals;
+  std::string text = fmt::format("fit      {:.3g} mm off the target's surface", 1000.0 * residuals.point.median);
+  if (residuals.normal.count > 0)
+    text += fmt::format(", normals {:.2g} deg apart", residuals.normal.median * kDegPerRad);
+  return text + fmt::format(" (medians); overlap {:.1f} %, {} pairs\n", 100.0 * result.overlap, result.num_pairs);
+}
+
+std::string uncertainty_text(const AlignReport& report) {
+  const std::optional<Uncertainty> sigma = uncertainty(report);
+  if (!sigma) return {};
+  return fmt::format("sigma    {:.3g} mm, {:.2g} deg at the target's centre\n", 1000.0 * sigma->translation,
+                     sigma->rotation * kDegPerRad);
+}
+
 }  // namespace
+
+std::optional<Uncertainty> uncertainty(const AlignReport& report) {
+  const AlignResult& result = report.result;
+  if (!result.covariance) return {};
+  const Mat6d about_centre = covariance_about(*result.covariance, report.centre - report.reference_point);
+  return Uncertainty{std::sqrt(about_centre.topLeftCorner<3, 3>().trace()),
+                     std::sqrt(about_centre.bottomRightCorner<3, 3>().trace())};
+}
 
 RegistrationOptions effective_options(const AlignReport& report) {
   RegistrationOptions options = report.options;
@@ -138,6 +177,8 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
       {"rmse", result.rmse},
       {"information", matrix_json(result.information)},
       {"covariance", result.covariance ? matrix_json(*result.covariance) : nlohmann::ordered_json(nullptr)},
+      {"reference_point", std::vector<double>(report.reference_point.begin(), report.reference_point.end())},
+      {"uncertainty", uncertainty_json(report)},
       {"observability",
        std::vector<double>(result.observability.information.begin(), result.observability.information.end())},
       {"timing_ms",
@@ -157,8 +198,7 @@ std::string to_text(const AlignReport& report) {
   const AlignResult& result = report.result;
   std::string text = fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iterations: {}\n", report.source,
                                  report.target, name_of(result.status), result.iterations, advice_for(result.status));
-  text += fmt::format("pairs    {}, overlap {:.1f} %, rmse {:.4g} m\n", result.num_pairs, 100.0 * result.overlap,
-                      result.rmse);
+  text += fit_text(result) + uncertainty_text(report);
   if (report.options.intensity)
     text += result.num_intensity_pairs > 0
                 ? fmt::format("         {} of them compared by brightness too\n", result.num_intensity_pairs)

@@ -2,8 +2,12 @@
 // The result of `augicp align`, as JSON and as text.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "augicp/registration/registration.h"
 
@@ -20,7 +24,18 @@ struct AlignReport {
   TimingMs timing_ms;
   RegistrationOptions options;
   bool with_history = false;
+  std::array<std::size_t, 2> num_read{}, num_prepared{};  // points of source and target
+  std::vector<std::pair<std::string, double>> steps;      // what was done, and when it began, milliseconds
+  Vec3d centre = Vec3d::Zero();                           // of the target's points, in its frame
+  Vec3d reference_point = Vec3d::Zero();  // about which increments of the covariance rotate, in the target's frame
 };
+
+// A standard deviation of the pose about the centre of the target, where translation and rotation are what they seem.
+// It does not depend on where the frame's zero is. Absent without a covariance.
+struct Uncertainty {
+  double translation = 0.0, rotation = 0.0;  // roots of the summed variances, metres and radians
+};
+std::optional<Uncertainty> uncertainty(const AlignReport& report);
 
 // The options as they took effect, with the lengths that were derived.
 RegistrationOptions effective_options(const AlignReport& report);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "apps/augicp/text/decisions.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "augicp/core/angles.h"
+
+namespace augicp::app {
+namespace {
+
+std::string length_text(const char* name, double length, bool is_given, const char* otherwise) {
+  return fmt::format("{:<13} {:.4g} m: {}\n", name, length, is_given ? "given" : otherwise);
+}
+
+std::string lengths_text(const AlignReport& report) {
+  const RegistrationOptions& given = report.options;
+  const Lengths& lengths = report.lengths;
+  return fmt::format("extent        {:.4g} m: the diameter of most of both scans\n", lengths.extent) +
+         length_text("radius", lengths.radius, given.radius.has_value(),
+                     given.voxel_size ? "follows the voxel size and the points' spacing" : "derived from the extent") +
+         length_text("voxel size", lengths.voxel_size, given.voxel_size.has_value(), "derived from the radius") +
+         length_text("max distance", lengths.max_distance, given.max_distance.has_value(), "derived from the extent");
+}
+
+std::string stop_text(const AlignResult& result) {
+  if (!result.evidence || !std::isfinite(result.evidence->last_step)) return {};
+  return fmt::format("last step     {:.2g} of the extent, {:.2g} deg, after {} iterations\n",
+                     result.evidence->last_step, result.evidence->last_rotation_step * kDegPerRad, result.iterations);
+}
+
+std::string evidence_text(const AlignResult& result) {
+  if (!result.evidence) return {};
+  std::string text =
+      fmt::format("strain        {:.3g}: the evidence nearest its limit, as a share of it\n", strain(*result.evidence));
+  for (const Doubt doubt : result.doubts) text += fmt::format("doubt         {}\n", name_of(doubt));
+  return text;
+}
+
+}  // namespace
+
+std::string decisions_text(const AlignReport& report) {
+  std::string text = lengths_text(report);
+  const char* names[] = {"source", "target"};
+  for (const std::size_t i : {0, 1})
+    text += fmt::format("{:<13} {} points read, {} compared\n", names[i], report.num_read[i], report.num_prepared[i]);
+  for (const auto& [step, began_ms] : report.steps) text += fmt::format("at {:>7.0f} ms {}\n", began_ms, step);
+  return text + stop_text(report.result) + evidence_text(report.result);
+}
+
+}  // namespace augicp::app
