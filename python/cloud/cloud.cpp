@@ -162,6 +162,8 @@ void bind_cloud(py::module_& module) {
 
 SharedScan scan_from(const py::object& given, const std::string& name) {
   if (py::isinstance<Scan>(given)) return given.cast<std::shared_ptr<Scan>>();
+  if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
+    return py::module_::import("augicp._augicp").attr("read")(given).cast<std::shared_ptr<Scan>>();
   return std::make_shared<const Scan>(scan_of(cloud_from({given}, name)));
 }
 

@@ -20,8 +20,19 @@ std::string hint_for(const py::array& array) {
   return "";
 }
 
+// Clouds of other packages have their points as an attribute, or as a method.
+void refuse_foreign_cloud(const py::object& given, const std::string& name) {
+  if (!py::hasattr(given, "points") || py::hasattr(given, "__array__")) return;
+  const auto type = py::str(py::type::of(given).attr("__module__")).cast<std::string>() + "." +
+                    py::str(py::type::of(given).attr("__name__")).cast<std::string>();
+  const bool is_method = PyCallable_Check(given.attr("points").ptr()) != 0;
+  throw WrongType(name + ": found a " + type + "; give numpy.asarray(" + name + ".points" + (is_method ? "()" : "") +
+                  ")");
+}
+
 // The size is checked before anything is copied.
 py::array rows_of_three(const py::object& given, const std::string& name) {
+  refuse_foreign_cloud(given, name);
   const py::array array = as_numbers(given, name);
   if (array.ndim() != 2 || array.shape(1) != 3)
     throw std::invalid_argument(name + ": expected shape (N, 3), found " + shape_text(array) + hint_for(array));

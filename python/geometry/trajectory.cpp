@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kDoc = R"(Where a camera was, and when. It cannot be changed.
 
 stamps: (N,) seconds, increasing. poses: (N, 4, 4), each T_world_camera: it maps camera coordinates into the world's, metres.
-Raises ArgumentError for stamps out of order and for poses that are not rigid to within 1e-3.)";
+Iterating gives pairs (stamp, pose). Raises ArgumentError for stamps out of order and for poses that are not rigid to within 1e-3.)";
 
 // The i-th matrix of a stack.
 Rigid3 pose_at(const py::array& poses, py::ssize_t i) {
@@ -61,6 +61,21 @@ py::array poses(const PyTrajectory& trajectory) {
   return array;
 }
 
+py::tuple pair_of(const StampedPose& pose) { return py::make_tuple(pose.stamp_s, to_array(pose.world_from_camera)); }
+
+// IndexError at the end: Python's protocol of sequences.
+py::tuple item(const PyTrajectory& trajectory, py::ssize_t index) {
+  const auto count = static_cast<py::ssize_t>(trajectory.poses.size());
+  if (index < -count || index >= count) throw py::index_error("no pose " + std::to_string(index));
+  return pair_of(trajectory.poses[static_cast<std::size_t>(index < 0 ? index + count : index)]);
+}
+
+py::list all_items(const py::object& self) {
+  py::list pairs;
+  for (const StampedPose& pose : self.cast<const PyTrajectory&>().poses) pairs.append(pair_of(pose));
+  return pairs;
+}
+
 PyTrajectory read(const std::filesystem::path& path) {
   TrajectoryFile file = without_gil([&](const std::stop_token&) { return read_tum_trajectory(path); });
   warn(file.warnings, path.string());
@@ -75,6 +90,9 @@ void bind_trajectory(py::module_& module) {
   type.def_property_readonly("stamps", &stamps, "(N,) float64, seconds: a new array.");
   type.def_property_readonly("poses", &poses, "(N, 4, 4) float64, T_world_camera: a new array.");
   type.def("__len__", [](const PyTrajectory& trajectory) { return trajectory.poses.size(); });
+  type.def("__getitem__", &item, py::arg("index"));
+  type.def("__iter__",
+           [](const py::object& self) { return py::module_::import("builtins").attr("iter")(all_items(self)); });
   type.def("__repr__", [](const PyTrajectory& trajectory) {
     return "Trajectory(" + std::to_string(trajectory.poses.size()) + " poses)";
   });

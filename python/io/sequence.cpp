@@ -41,6 +41,13 @@ void bind_sequence(py::module_& module) {
   type.def_property_readonly("truth", &truth, "The true Trajectory, or None.");
   type.def_readonly("truth_problem", &DepthSequence::truth_problem, "Why there is no truth although there is a file.");
   type.def("__len__", [](const DepthSequence& sequence) { return sequence.frames.size(); });
+  type.def(
+      "__getitem__",
+      [](const DepthSequence& sequence, const py::int_& index) { return py::object(frames(sequence)[index]); },
+      py::arg("index"));
+  type.def("__iter__", [](const DepthSequence& sequence) {
+    return py::module_::import("builtins").attr("iter")(frames(sequence));
+  });
   type.def("__repr__", [](const DepthSequence& sequence) {
     return "<augicp.DepthSequence " + sequence.layout + ", " + std::to_string(sequence.frames.size()) + " frames>";
   });

@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* kDoc = R"(Finds the rigid motion between two clouds.
 
-source, target: the moving and the fixed cloud: (N, 3) arrays (float32, float64, anything with __array__), metres, or
-  Cloud.
+source, target: the moving and the fixed cloud: (N, 3) arrays (float32, float64, anything with __array__), metres,
+  Cloud, or the path of a cloud's file.
 initial: (4, 4) guess of T_target_source, rigid to within 1e-3; None: the identity; "global": there is none, and the pose
   is searched among all.
 method: the objective: "augmented", "gicp", "plane" or "point".
@@ -40,14 +40,14 @@ nothing alike. source, target, threads, options and exceptions: as of align().
 )";
 
 // What a result says of its options: they have the derived lengths.
-Result with_lengths(AlignResult found, const Lengths& lengths, RegistrationOptions options) {
+Result with_lengths(AlignResult found, const Scan& target, const Lengths& lengths, RegistrationOptions options) {
   options.stop = {};
   if (lengths.radius > 0.0) {
     options.radius = lengths.radius;
     options.voxel_size = lengths.voxel_size;
     options.max_distance = lengths.max_distance;
   }
-  return {std::move(found), options};
+  return {std::move(found), options, target.cloud.origin};
 }
 
 RegistrationOptions options_from(const py::object& method, const py::object& threads, const py::kwargs& given) {
@@ -77,7 +77,8 @@ Result align(const py::object& source, const py::object& target, const py::objec
   return without_gil([&](const std::stop_token& stop) {
     options.stop = stop;
     Registration registration = register_scans(*source_scan, *target_scan, guess, options);
-    return with_lengths(std::move(registration.result), registration.prepared.lengths, options);
+    return with_lengths(std::move(registration.result), registration.prepared.target, registration.prepared.lengths,
+                        options);
   });
 }
 
@@ -92,7 +93,7 @@ std::vector<Result> find_pose(const py::object& source, const py::object& target
     const Lengths lengths = lengths_for(*source_scan, *target_scan, options);
     std::vector<Result> results;
     for (AlignResult& found : augicp::find_pose(*source_scan, *target_scan, options))
-      results.push_back(with_lengths(std::move(found), lengths, options));
+      results.push_back(with_lengths(std::move(found), *target_scan, lengths, options));
     return results;
   });
 }

@@ -10,6 +10,8 @@
 #include "python/core/numbers.h"
 #include "python/core/options.h"
 #include "python/core/words.h"
+#include "python/registration/result_state.h"
+#include "python/registration/result_text.h"
 
 namespace augicp::python {
 namespace {
@@ -86,7 +88,10 @@ void bind_numbers(ResultType& type) {
                              "Root mean square of the distances within the final pairs, metres.");
   type.def_property_readonly("covariance", &covariance,
                              "(6, 6) float64, or None if a direction of motion is free. Order tx ty tz rx ry rz "
-                             "(metres, radians): an increment on the left, about the target points' zero.");
+                             "(metres, radians): an increment on the left, about reference_point.");
+  type.def_property_readonly(
+      "reference_point", [](const Result& result) { return vector_array(result.reference_point); },
+      "(3,) float64, metres, in the target's frame: the point about which covariance and information rotate.");
   type.def_property_readonly(
       "information", [](const Result& result) { return to_array(result.found.information); },
       "(6, 6) float64, the last iteration's H, in the order and on the side of covariance.");
@@ -122,6 +127,10 @@ void bind_result(py::module_& module) {
       "dict of every option as it took effect, with derived lengths. align(**result.options) repeats the call.");
   type.def("__bool__", [](const Result& result) { return result.found.status == AlignStatus::Converged; });
   type.def("__repr__", &in_words);
+  type.def("__str__", &text_of);
+  type.def("_repr_html_", &html_of);
+  type.def("to_dict", &dict_of, "A new dict of lists, numbers and words, for json.dumps().");
+  type.def(py::pickle(&state_of_result, &result_of_state));
 }
 
 }  // namespace augicp::python

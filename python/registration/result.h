@@ -12,6 +12,7 @@ namespace augicp::python {
 struct Result {
   AlignResult found;
   RegistrationOptions options;
+  Vec3d reference_point = Vec3d::Zero();  // about which increments of the covariance rotate: the target's origin
 };
 
 }  // namespace augicp::python

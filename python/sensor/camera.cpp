@@ -9,6 +9,7 @@
 #include "augicp/io/camera_file.h"
 #include "python/bindings.h"
 #include "python/core/errors.h"
+#include "python/core/numbers.h"
 
 namespace augicp::python {
 namespace {
@@ -23,7 +24,7 @@ Focal lengths and centre in pixels; pixel (0, 0) is the centre of the first one.
 width, height: of its images; 0: any. distortion: the lens's k1 k2 p1 p2 k3, as in OpenCV and ROS ("plumb_bob").
 readout_s: rolling shutter: seconds from the readout of the first row to that of the last; 0: all rows at once.
 
-A camera argument may also be text: see Camera.read. Raises ArgumentError for values out of range.)";
+A camera argument may also be text, see Camera.read, or a (3, 3) intrinsic matrix, see Camera.from_matrix. Raises ArgumentError for values out of range.)";
 
 constexpr const char* kReadDoc = R"(A camera from text: a known name (see Camera.names), numbers "fx fy cx cy" with or
 without the lens "k1 k2 p1 p2 k3" after them, or the path of a file with such numbers, a 3 x 3 intrinsic matrix, or
@@ -39,6 +40,18 @@ DepthCamera made(double fx, double fy, double cx, double cy, int width, int heig
   if (width < 0 || height < 0) throw std::invalid_argument("width, height: must be at least 0 (0: any)");
   camera.check();
   return camera;
+}
+
+// fx 0 cx, 0 fy cy, 0 0 1.
+DepthCamera from_matrix(const py::object& matrix, int width, int height, const std::vector<double>& distortion,
+                        double readout_s) {
+  const py::array numbers = as_reals(as_numbers(matrix, "matrix"));
+  if (numbers.ndim() != 2 || numbers.shape(0) != 3 || numbers.shape(1) != 3)
+    throw std::invalid_argument("matrix: expected shape (3, 3), found " + shape_text(numbers));
+  const Reals at(numbers);
+  if (at(0, 1) != 0.0 || at(1, 0) != 0.0 || at(2, 0) != 0.0 || at(2, 1) != 0.0 || at(2, 2) != 1.0)
+    throw std::invalid_argument("matrix: expected rows fx 0 cx, 0 fy cy, 0 0 1; cameras with skew are not known");
+  return made(at(0, 0), at(1, 1), at(0, 2), at(1, 2), width, height, distortion, readout_s);
 }
 
 std::vector<double> coefficients(const DepthCamera& camera) {
@@ -71,6 +84,11 @@ void bind_camera(py::module_& module) {
            py::arg("distortion") = coefficients(usual), py::arg("readout_s") = usual.readout_s);
   type.def_static(
       "read", [](const std::string& text) { return read_camera(text); }, py::arg("text"), kReadDoc);
+  type.def_static(
+      "from_matrix", &from_matrix, py::arg("matrix"), py::arg("width") = usual.pinhole.width,
+      py::arg("height") = usual.pinhole.height, py::arg("distortion") = coefficients(usual),
+      py::arg("readout_s") = usual.readout_s,
+      "A camera of a (3, 3) intrinsic matrix with rows fx 0 cx, 0 fy cy, 0 0 1, as OpenCV and Open3D have.");
   type.def_static("names", &camera_names, "Every name that Camera.read knows.");
   const auto pinhole = [&type](const char* name, auto field, const char* doc) {
     type.def_property_readonly(
@@ -94,7 +112,9 @@ DepthCamera camera_from(const py::object& given) {
   if (py::isinstance<DepthCamera>(given)) return given.cast<DepthCamera>();
   if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
     return read_camera(py::module_::import("os").attr("fspath")(given).cast<std::string>());
-  throw WrongType("camera: expected an augicp.Camera, or text for Camera.read, found " +
+  if (py::isinstance<py::array>(given) || py::isinstance<py::list>(given))
+    return from_matrix(given, 0, 0, coefficients(DepthCamera{}), 0.0);
+  throw WrongType("camera: expected an augicp.Camera, text for Camera.read, or a (3, 3) matrix, found " +
                   py::repr(given).cast<std::string>());
 }
 

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""What people of Python expect of a result, and of what they hand over."""
+import copy
+import json
+import multiprocessing
+import pickle
+
+import numpy as np
+import pytest
+
+import augicp
+from conftest import ROOM
+
+
+@pytest.fixture(scope="module")
+def result():
+    return augicp.align(ROOM / "source.ply", ROOM / "target.ply")
+
+
+def numbers(result):
+    return {name: np.array(getattr(result, name)) for name in ("T_target_source", "covariance", "information", "observability",
+                                                              "reference_point", "iterations", "num_pairs", "overlap", "rmse")}
+
+
+@pytest.mark.parametrize("copied", (copy.copy, copy.deepcopy, lambda it: pickle.loads(pickle.dumps(it))))
+def test_copies_are_equal(result, copied):
+    other = copied(result)
+    for name, value in numbers(result).items():
+        np.testing.assert_array_equal(value, numbers(other)[name], name)
+    assert (other.status, other.doubts, other.options, bool(other)) == (result.status, result.doubts, result.options, True)
+    assert [step.cost for step in other.history] == [step.cost for step in result.history]
+    assert other.evidence.strain == result.evidence.strain
+    assert other.evidence.source_in_target.num_points == result.evidence.source_in_target.num_points
+    assert str(other) == str(result)
+
+
+def test_copies_have_free_motions_and_doubts():
+    wall = np.random.default_rng(1).uniform(-1, 1, (20000, 3)) * (1, 1, 0)
+    free = augicp.align(wall, wall)
+    other = pickle.loads(pickle.dumps(free))
+    assert free.status == "degenerate" and other.covariance is None
+    assert [motion.kind for motion in other.free_motions] == [motion.kind for motion in free.free_motions] != []
+    np.testing.assert_array_equal(other.free_motions[0].axis, free.free_motions[0].axis)
+
+
+def test_a_damaged_state_is_refused(result):
+    version, values, options = result.__getstate__()
+    for state in ((version + 1, values, options), (version, values[:-1], options), (version, np.append(values, 0), options)):
+        with pytest.raises((ValueError, RuntimeError)):
+            type(result).__new__(type(result)).__setstate__(state)
+
+
+def test_text_and_dict_have_matrix_and_verdict(result):
+    for text in (str(result), result._repr_html_()):
+        assert "converged" in text and f"{result.T_target_source[0, 3]:.9f}" in text
+    read = json.loads(json.dumps(result.to_dict()))
+    assert read["status"] == "converged" and read["options"] == result.options
+    np.testing.assert_array_equal(read["T_target_source"], result.T_target_source)
+    np.testing.assert_array_equal(read["covariance"], result.covariance)
+
+
+def align_room(_):
+    return augicp.align(ROOM / "source.ply", ROOM / "target.ply", threads=1)
+
+
+def test_results_cross_processes(result):
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        np.testing.assert_array_equal(pool.map(align_room, [0])[0].T_target_source, result.T_target_source)
+
+
+def test_paths_are_clouds(result):
+    clouds = [augicp.read(ROOM / name) for name in ("source.ply", "target.ply")]
+    np.testing.assert_array_equal(augicp.align(str(ROOM / "source.ply"), clouds[1]).T_target_source, result.T_target_source)
+    with pytest.raises(augicp.FileError):
+        augicp.align(ROOM / "nothing.ply", clouds[1])
+
+
+def test_clouds_of_other_packages_are_recognised():
+    class PointCloud:
+        points = [[0.0, 0.0, 0.0]]
+
+    with pytest.raises(augicp.ArgumentTypeError, match=r"PointCloud; give numpy.asarray\(source.points\)"):
+        augicp.align(PointCloud(), [[0.0, 0.0, 0.0]])
+
+
+def test_a_camera_is_a_matrix():
+    matrix = [[525.0, 0, 319.5], [0, 520.0, 239.5], [0, 0, 1]]
+    camera = augicp.Camera.from_matrix(matrix, width=640, height=480)
+    assert (camera.fx, camera.fy, camera.cx, camera.cy, camera.width) == (525.0, 520.0, 319.5, 239.5, 640)
+    depth = np.ones((480, 640), np.float32)
+    np.testing.assert_array_equal(augicp.Cloud.from_depth(depth, np.array(matrix)).points, augicp.Cloud.from_depth(depth, camera).points)
+    for wrong in (np.eye(4), np.ones((3, 3))):
+        with pytest.raises(augicp.ArgumentError):
+            augicp.Camera.from_matrix(wrong)
+
+
+def test_sequences_iterate():
+    poses = np.stack([np.eye(4)] * 3)
+    trajectory = augicp.Trajectory([0.0, 1.0, 2.0], poses)
+    assert [stamp for stamp, _ in trajectory] == [0.0, 1.0, 2.0]
+    assert trajectory[-1][0] == 2.0 and trajectory[0][1].shape == (4, 4)
+    with pytest.raises(IndexError):
+        trajectory[3]
+
+
+def test_degrees_are_not_radians():
+    with pytest.raises(augicp.ArgumentError, match="radians, not degrees"):
+        augicp.align([[0.0, 0.0, 0.0]], [[0.0, 0.0, 0.0]], max_angle=45)
