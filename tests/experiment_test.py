@@ -8,6 +8,7 @@ import csv
 import io
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -120,6 +121,39 @@ class ExperimentTest(unittest.TestCase):
                  (3, ("basin", ROOM / "source.ply", ROOM / "nothing.ply")))
         for code, words in cases:
             self.assertEqual(run(*words).returncode, code, words)
+
+
+class GlobalTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.list = Path(self.folder.name) / "pairs.txt"
+        self.list.write_text(f"# family source target truth\nroom {ROOM}/source.ply {ROOM}/target.ply {ROOM}/T_target_source.txt\n")
+
+    def rows(self, *words):
+        table = rows("global", "--pairs", self.list, "--output", "-", "--table", Path(self.folder.name) / "families.txt", *words)
+        return [{name: value for name, value in row.items() if name != "time_ms"} for row in table]
+
+    def test_a_pair_is_found_from_any_position(self):
+        table = self.rows("--rotations", 3)
+        self.assertEqual([row["family"] for row in table], ["room"] * 3)
+        for row in table:
+            self.assertEqual(row["status"], "converged")
+            self.assertLess(float(row["translation_error_m"]), 0.05)
+            self.assertLess(float(row["rotation_error_deg"]), 3)
+        numbers = (Path(self.folder.name) / "families.txt").read_text().splitlines()[1].split()
+        self.assertEqual(numbers[:6], ["room", "3", "3", "3", "3", "0"])
+
+    def test_the_same_seed_gives_the_same_bytes_on_any_number_of_threads(self):
+        self.assertEqual(self.rows("--threads", 1), self.rows("--threads", 3))
+        self.assertNotEqual(self.rows("--seed", 2), self.rows("--seed", 3))
+
+    def test_lists_that_cannot_be_read_are_refused(self):
+        self.list.write_text("room source.ply\n")
+        finished = run("global", "--pairs", self.list)
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn("line 1", finished.stderr)
+        self.assertEqual(run("global").returncode, 2)
 
 
 if __name__ == "__main__":

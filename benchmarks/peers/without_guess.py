@@ -10,7 +10,7 @@ fine (5 cm and 3 degrees), and the median processor time in milliseconds, downsa
 
 Settings, as recommended: the voxel v is a sixtieth of the target's extent, as augicp's own; normals within 2 v (30 points), FPFH
 within 5 v (100 points); RANSAC with mutual pairs, 3 points, 100 000 iterations, confidence 0.999, edges alike to 0.9,
-inliers within 1.5 v; FGR within v / 2. KISS-Matcher has its defaults for the voxel.
+inliers within 1.5 v; FGR within v / 2. KISS-Matcher has its defaults for the voxel v.
 """
 import argparse
 import pathlib
@@ -63,10 +63,11 @@ def by_fgr(source, target, v):
 
 def by_kiss_matcher(source, target, v):
     import kiss_matcher
-    matcher = kiss_matcher.KISSMatcher(kiss_matcher.KISSMatcherConfig(v))
-    result = matcher.estimate(source.astype(np.float32), target.astype(np.float32))
+    # It refuses voxels of a few millimetres: lengths are in voxels.
+    matcher = kiss_matcher.KISSMatcher(kiss_matcher.KISSMatcherConfig(1.0))
+    result = matcher.estimate((source / v).astype(np.float32), (target / v).astype(np.float32))
     pose = np.eye(4)
-    pose[:3, :3], pose[:3, 3] = np.asarray(result.rotation), np.asarray(result.translation).ravel()
+    pose[:3, :3], pose[:3, 3] = np.asarray(result.rotation), v * np.asarray(result.translation).ravel()
     return pose
 
 
