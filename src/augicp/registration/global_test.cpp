@@ -116,6 +116,13 @@ TEST(FindPose, OfEmptyAndSinglePointsIsNothing) {
   EXPECT_EQ(register_scans(scan_of({}), scan_of(bracket), {}, without_guess()).result.status, AlignStatus::TooFewPairs);
 }
 
+TEST(FindPose, ATinyRadiusIsNoError) {
+  const Pair pair = object_anywhere("bracket", 1);
+  RegistrationOptions options;
+  options.radius = 1e-9;
+  EXPECT_NO_THROW(find_pose(scan_of(pair.source), scan_of(pair.target), options));
+}
+
 TEST(FindPose, ThePapersPresetIsRefused) {
   RegistrationOptions options;
   options.preset = Preset::Paper;

@@ -48,7 +48,9 @@ std::vector<Rigid3> best_on(const Level& level, const ScanPair& pair, std::span<
 
 std::vector<Rigid3> global_starts(const ScanPair& pair, const RegistrationOptions& options) {
   CandidateOptions candidates;
-  candidates.voxel_size = kVoxelPerRadius * pair.lengths.radius;
+  const double voxel_size = kVoxelPerRadius * pair.lengths.radius;
+  candidates.voxel_size =
+      std::max(feasible_voxel(pair.source.cloud, voxel_size), feasible_voxel(pair.target.cloud, voxel_size));
   candidates.num_threads = options.num_threads;
   candidates.stop = options.stop;
   std::vector<Rigid3> starts;
