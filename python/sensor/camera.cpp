@@ -74,6 +74,12 @@ std::string in_words(const DepthCamera& camera) {
   return text.str() + ")";
 }
 
+// An array with two dimensions, or a list of lists.
+bool is_matrix(const py::object& given) {
+  if (py::isinstance<py::array>(given)) return given.cast<py::array>().ndim() == 2;
+  return py::isinstance<py::list>(given) && py::len(given) > 0 && py::isinstance<py::list>(given[py::int_(0)]);
+}
+
 }  // namespace
 
 void bind_camera(py::module_& module) {
@@ -112,8 +118,7 @@ DepthCamera camera_from(const py::object& given) {
   if (py::isinstance<DepthCamera>(given)) return given.cast<DepthCamera>();
   if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
     return read_camera(py::module_::import("os").attr("fspath")(given).cast<std::string>());
-  if (py::isinstance<py::array>(given) || py::isinstance<py::list>(given))
-    return from_matrix(given, 0, 0, coefficients(DepthCamera{}), 0.0);
+  if (is_matrix(given)) return from_matrix(given, 0, 0, coefficients(DepthCamera{}), 0.0);
   throw WrongType("camera: expected an augicp.Camera, text for Camera.read, or a (3, 3) matrix, found " +
                   py::repr(given).cast<std::string>());
 }
