@@ -17,7 +17,6 @@ from pathlib import Path
 
 AUGICP, PROJECT = Path(sys.argv[1]), Path(sys.argv[2])
 ROOM, DESK = PROJECT / "data/room_pair", PROJECT / "data/tum_fr1_desk_30"
-SUBCOMMANDS = ("align", "evaluate", "experiment", "info", "odometry", "surface", "unpack")
 
 
 def run(*words, timeout=120):
@@ -40,7 +39,9 @@ class WrongWordsTest(unittest.TestCase):
         finished = run()
         self.assertEqual(finished.returncode, 2)
         examples = [shlex.split(line) for line in finished.stdout.splitlines() if line.startswith("  augicp ")]
-        self.assertEqual({words[1] for words in examples}, set(SUBCOMMANDS))
+        subcommands = re.findall(r"^  (\w+)  ", run("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
+        self.assertEqual({words[1] for words in examples}, set(subcommands))
+        self.assertGreaterEqual(len(subcommands), 6)
         for words in examples:
             subcommand = words[1:3] if words[1] == "experiment" else words[1:2]
             known = options_of(*subcommand)
@@ -140,8 +141,8 @@ class WorkTest(unittest.TestCase):
         finished = run("odometry", ROOM / "source.ply")
         self.assertEqual(finished.returncode, 3)
         self.assertIn("augicp align", finished.stderr)
-        (self.folder / "scan.las").write_bytes(b"LASF")
-        self.assertIn("pdal translate", run("info", self.folder / "scan.las").stderr)
+        (self.folder / "scan.e57").write_bytes(b"ASTM-E57")
+        self.assertIn("pdal translate", run("info", self.folder / "scan.e57").stderr)
 
     def test_a_failed_run_leaves_no_folder(self):
         output = self.folder / "made"

@@ -29,15 +29,9 @@ struct Advice {
 };
 
 // Formats that people have, and how to make one that is read.
-constexpr Advice kAdvice[] = {
-    {".las", "pdal translate IN.las OUT.ply"},
-    {".laz", "pdal translate IN.laz OUT.ply"},
-    {".e57", "pdal translate IN.e57 OUT.ply"},
-    {".obj", "sample the mesh: CloudCompare -O IN.obj -SAMPLE_MESH POINTS 1000000 -C_EXPORT_FMT PLY -SAVE_CLOUDS"},
-    {".stl", "sample the mesh: CloudCompare -O IN.stl -SAMPLE_MESH POINTS 1000000 -C_EXPORT_FMT PLY -SAVE_CLOUDS"},
-    {".bag", "rosrun pcl_ros bag_to_pcd IN.bag TOPIC FOLDER"},
-    {".asc", "rename it to .xyz"},
-    {".jpg", "depth images are 16-bit .png; a .jpg has lost its depths"}};
+constexpr Advice kAdvice[] = {{".e57", "pdal translate IN.e57 OUT.ply"},
+                              {".asc", "rename it to .xyz"},
+                              {".jpg", "depth images are 16-bit .png; a .jpg has lost its depths"}};
 
 std::string advice_for(std::string_view extension) {
   for (const Advice& known : kAdvice)
