@@ -27,7 +27,9 @@ Scan box_scan() {
 
 TEST(Basin, NearStartsComeHomeAndHalfTurnsDoNot) {
   const Scan scan = box_scan();
-  const auto cells = run_basin(scan, scan, {}, small_options(), [] {});
+  BasinOptions options = small_options();
+  options.registration.search = false;  // it would find every start's way home
+  const auto cells = run_basin(scan, scan, {}, options, [] {});
   ASSERT_EQ(cells.size(), 6u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(cells[i].success, 1.0) << "cell " << i;
   EXPECT_LT(cells[5].success, 1.0);

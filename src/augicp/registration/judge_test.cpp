@@ -134,12 +134,18 @@ TEST(Judge, BareCornersAreTrustedNearTheGuessOnly) {
   EXPECT_EQ(near.status, AlignStatus::Converged);
 }
 
-// robustness 11: 100 m apart. That is no pose at all.
+// robustness 11: 100 m apart. That is no pose at all; but a search without a guess may find it.
 TEST(Judge, FarApartIsNoOverlap) {
   const Pair pair = near_pair();
   const Rigid3 far{Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}};
-  EXPECT_EQ(register_scans(pair.source, pair.target, far).result.status, AlignStatus::NoOverlap);
-  EXPECT_EQ(register_scans(as_cloud(pair.source), as_cloud(pair.target), far).result.status, AlignStatus::NoOverlap);
+  RegistrationOptions no_search;
+  no_search.search = false;
+  EXPECT_EQ(register_scans(pair.source, pair.target, far, no_search).result.status, AlignStatus::NoOverlap);
+  const Scan source = as_cloud(pair.source), target = as_cloud(pair.target);
+  EXPECT_EQ(register_scans(source, target, far, no_search).result.status, AlignStatus::NoOverlap);
+  const AlignResult searched = register_scans(source, target, far).result;
+  EXPECT_TRUE(searched.status != AlignStatus::Converged ||
+              ::testing::Value(searched.target_from_source, testing::NearPose(pair.target_from_source, 0.02, 0.05)));
 }
 
 TEST(Judge, ThreadsGiveTheSameEvidence) {

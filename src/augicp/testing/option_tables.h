@@ -32,8 +32,10 @@ void change(std::optional<Value>& value) {
   value ? value.reset() : void(value.emplace());
 }
 
-// Lower-case letters and digits in words with single underscores between them, a letter first.
-inline bool is_snake_case(const std::string& name) {
+// Lower-case letters and digits in words with single underscores between them, a letter first. A word that Python keeps
+// for itself has one more underscore, as PEP 8 has it.
+inline bool is_snake_case(std::string name) {
+  if (name == "global_") name.pop_back();
   const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   const auto is_allowed = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
   return !name.empty() && is_letter(name.front()) && name.back() != '_' && name.find("__") == std::string::npos &&
