@@ -19,6 +19,7 @@ void bind_surface(pybind11::module_& module);     // estimate_surface
 void bind_files(pybind11::module_& module);       // read, write, transforms, trajectories
 void bind_sequence(pybind11::module_& module);    // DepthSequence
 void bind_frame(pybind11::module_& module);       // Frame
+void bind_lidar_odometry(pybind11::module_& module);  // LidarOdometry
 void bind_odometry(pybind11::module_& module);    // Odometry
 void bind_evaluate(pybind11::module_& module);    // evaluate, Evaluation
 

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "augicp/eval/option_table.h"
+#include "augicp/odometry/lidar_option_table.h"
 #include "augicp/odometry/option_table.h"
 #include "augicp/registration/option_table.h"
 #include "python/bindings.h"
@@ -18,7 +19,8 @@ namespace augicp::python {
 namespace {
 
 constexpr const char* kDefaultsDoc =
-    R"(A new dict of every keyword option and its default, of "align" (and estimate_surface), "odometry" or "evaluate".
+    R"(A new dict of every keyword option and its default, of "align" (and estimate_surface), "odometry", "lidar_odometry" or
+"evaluate".
 
 None: derived from the clouds, or the preset's.)";
 
@@ -27,8 +29,10 @@ template <typename Make>
 py::dict of_options(const std::string& function, const Make& made) {
   if (function == "align") return made(RegistrationOptions{});
   if (function == "odometry") return made(OdometryOptions{});
+  if (function == "lidar_odometry") return made(LidarOptions{});
   if (function == "evaluate") return made(EvaluationOptions{});
-  throw std::invalid_argument("default_options: expected align, odometry or evaluate, found '" + function + "'");
+  throw std::invalid_argument("default_options: expected align, odometry, lidar_odometry or evaluate, found '" +
+                              function + "'");
 }
 
 py::dict default_options(const std::string& function) {
@@ -63,6 +67,7 @@ void bind_all(py::module_& module) {
   bind_sequence(module);
   bind_frame(module);
   bind_odometry(module);
+  bind_lidar_odometry(module);
   bind_evaluate(module);
   module.def("default_options", &default_options, py::arg("function") = "align", kDefaultsDoc);
   module.def("_option_types", &option_types, "The same with the type of each, as the stub has it.");

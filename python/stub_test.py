@@ -13,7 +13,8 @@ from conftest import ROOM, PROJECT, command_json
 
 STUBS = {node.name: node for node in ast.parse((Path(augicp.__file__).parent / "__init__.pyi").read_text()).body
          if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
-FUNCTIONS = {"align": "align", "find_pose": "align", "estimate_surface": "align", "Odometry": "odometry", "evaluate": "evaluate"}
+FUNCTIONS = {"align": "align", "find_pose": "align", "estimate_surface": "align", "Odometry": "odometry",
+             "LidarOdometry": "lidar_odometry", "evaluate": "evaluate"}
 
 
 def members(cls):
@@ -67,7 +68,7 @@ def test_docstrings_and_signatures(name):
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_every_option_is_a_keyword_of_the_stub(name):
-    stub = STUBS[name] if name != "Odometry" else stub_members(STUBS[name])["__init__"]
+    stub = STUBS[name] if isinstance(STUBS[name], ast.FunctionDef) else stub_members(STUBS[name])["__init__"]
     keywords = {arg.arg for arg in stub.args.kwonlyargs} | set(stub_parameters(stub))
     assert set(augicp.default_options(FUNCTIONS[name])) <= keywords
     assert {arg.arg for arg in stub.args.kwonlyargs} <= set(augicp.default_options(FUNCTIONS[name]))
@@ -99,7 +100,7 @@ def test_defaults_in_signatures_are_those():
     shown = parameters(augicp.align.__doc__)
     assert ast.literal_eval(shown["method"]) == augicp.default_options()["method"]
     assert int(shown["threads"]) == augicp.default_options()["threads"]
-    with pytest.raises(augicp.ArgumentError, match="align, odometry or evaluate"):
+    with pytest.raises(augicp.ArgumentError, match="align, odometry, lidar_odometry or evaluate"):
         augicp.default_options("x")
 
 

@@ -175,7 +175,21 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
   return report;
 }
 
-FrameReport LidarOdometry::add(double stamp_s, const Cloud& scan, const SweepShares& shares) {
+FrameReport LidarOdometry::add(double stamp_s, const Cloud& scan, const SweepShares& shares,
+                               const std::stop_token& stop) {
+  const std::stop_token own = options_.stop;
+  if (stop.stop_possible()) options_.stop = stop;
+  try {
+    const FrameReport report = added(stamp_s, scan, shares);
+    options_.stop = own;
+    return report;
+  } catch (...) {
+    options_.stop = own;
+    throw;
+  }
+}
+
+FrameReport LidarOdometry::added(double stamp_s, const Cloud& scan, const SweepShares& shares) {
   require(shares.empty() || shares.size() == scan.size(), "shares", static_cast<double>(shares.size()),
           "must be none, or one a point");
   if (!std::isfinite(stamp_s) || (last_stamp_s_ && stamp_s <= *last_stamp_s_)) {

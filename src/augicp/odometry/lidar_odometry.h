@@ -83,8 +83,9 @@ class LidarOdometry {
   // The next scan, in the sensor's frame. shares: see shares_from_times() and shares_from_order(); empty: all points at
   // one moment. Never throws for what scans or stamps are like: a scan that cannot be placed gets a status and no pose,
   // and the next one is tried again. Throws std::invalid_argument for shares that are neither empty nor one a point,
-  // and Interrupted after a request to options.stop; everything then is as before the call.
-  FrameReport add(double stamp_s, const Cloud& scan, const SweepShares& shares = {});
+  // and Interrupted after a request to
+  // stop or options.stop; everything then is as before the call.
+  FrameReport add(double stamp_s, const Cloud& scan, const SweepShares& shares = {}, const std::stop_token& stop = {});
 
   // The surfaces of the map, in the frame of the first scan.
   Cloud map() const;
@@ -106,6 +107,7 @@ class LidarOdometry {
 
   Rigid3 predicted(double stamp_s) const;
   Rigid3 motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const;
+  FrameReport added(double stamp_s, const Cloud& scan, const SweepShares& shares);
   FrameReport placed(double stamp_s, const Cloud& scan, const SweepShares& shares);
   void start_segment(const Cloud& scan, const SweepShares& shares, FrameReport& report);
   void straighten_start(const Rigid3& first_from_last);

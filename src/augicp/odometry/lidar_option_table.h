@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "augicp/core/option.h"
+#include "augicp/odometry/lidar_odometry.h"
+
+namespace augicp {
+
+// Every option of LiDAR odometry, see core/option.h.
+template <OptionsOf<LidarOptions> Options, typename Visit>
+void for_each_option(Options& options, const Visit& visit) {
+  constexpr std::string_view kGroup = "LiDAR";
+  using enum Unit;
+  visit({"voxel_size", Metres, kGroup, "Edge length of the map's voxels", "a part of the first scan's extent"},
+        options.voxel_size);
+  visit({"keyframe_distance_voxels", None, kGroup, "A scan this far from the last keyframe is the next one, voxels"},
+        options.keyframe_distance_voxels);
+  visit({"keyframe_angle", Radians, kGroup, "So is a scan turned this much"}, options.keyframe_angle);
+  visit({"reach_voxels", None, kGroup, "The map keeps what is within this distance of the sensor, voxels"},
+        options.reach_voxels);
+  visit({"gate_voxels", None, kGroup, "Least gate on the distance between a point and a voxel's mean, voxels"},
+        options.gate_voxels);
+  visit({"on_surface_voxels", None, kGroup, "A point counts as on a surface that is nearer than this, voxels"},
+        options.on_surface_voxels);
+  visit({"deskew", None, kGroup, "Sweeps are straightened if the first ones then agree better with the map"},
+        options.deskew);
+  visit({"pose_at", None, kGroup, "The moment of a sweep to which its pose refers"}, options.pose_at);
+  visit({"sweep_s", Seconds, kGroup, "How long a sweep takes; 0: the shortest time between two scans"},
+        options.sweep_s);
+  visit({"search", None, kGroup, "The pose is searched for where the prediction does not convince"}, options.search);
+  visit({"min_observability", None, kGroup, "Degenerate below this part of the best direction's information"},
+        options.min_observability);
+  visit({"min_agreement", None, kGroup, "Doubtful below this part of the usual share of points on surfaces"},
+        options.min_agreement);
+  visit({"max_lost", None, kGroup, "A new segment starts after this number of lost or doubtful scans in a row"},
+        options.max_lost);
+  visit({"covariance", None, kGroup, "Each tracked scan has the covariance of its pose"}, options.covariance);
+  visit({"threads", None, kGroup, "Number of threads; 0: all"}, options.num_threads);
+}
+
+}  // namespace augicp
