@@ -56,6 +56,9 @@ struct Limits {
   float distance, min_distance, cosine;
 };
 
+// Numbers are combined without a branch.
+AUGICP_INLINE std::int32_t number(bool is_true) { return is_true ? 1 : 0; }
+
 AUGICP_VECTORIZED
 void consistent_bits(const View& source, const View& target, std::size_t a, std::size_t words, const Limits& limits,
                      std::uint64_t* bits) {
@@ -65,11 +68,11 @@ void consistent_bits(const View& source, const View& target, std::size_t a, std:
     invariants(source, a, word * kBits, s);
     invariants(target, a, word * kBits, t);
     for (std::size_t k = 0; k < kBits; ++k)
-      is_consistent[k] = (std::abs(s.distance[k] - t.distance[k]) <= limits.distance) &
-                         (s.distance[k] >= limits.min_distance) & (t.distance[k] >= limits.min_distance) &
-                         (std::abs(s.first[k] - t.first[k]) <= limits.cosine) &
-                         (std::abs(s.second[k] - t.second[k]) <= limits.cosine) &
-                         (std::abs(s.between[k] - t.between[k]) <= limits.cosine);
+      is_consistent[k] = number(std::abs(s.distance[k] - t.distance[k]) <= limits.distance) &
+                         number(s.distance[k] >= limits.min_distance) & number(t.distance[k] >= limits.min_distance) &
+                         number(std::abs(s.first[k] - t.first[k]) <= limits.cosine) &
+                         number(std::abs(s.second[k] - t.second[k]) <= limits.cosine) &
+                         number(std::abs(s.between[k] - t.between[k]) <= limits.cosine);
     std::uint64_t packed = 0;
     for (std::size_t k = 0; k < kBits; ++k) packed |= static_cast<std::uint64_t>(is_consistent[k]) << k;
     bits[word] = packed;

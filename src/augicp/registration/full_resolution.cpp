@@ -7,6 +7,7 @@
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/registration/scan_match.h"
+#include "augicp/registration/start/rivals.h"
 #include "augicp/trust/motion_probe.h"
 
 namespace augicp {
@@ -30,11 +31,18 @@ constexpr double kMaxTurnBeside = 0.2;
 // What is free at one pose may not be at another, but rarely changes twice.
 constexpr int kMaxRounds = 2;
 
+// A motion below this many radii is within the tolerance.
+constexpr double kMaxIdleMove = 0.5;
+
 // An image has far more points than the test asks about.
 constexpr std::size_t kMaxTestedPixels = 20000;
 
 Cloud tested(const Scan& scan) {
   return scan.view && scan.cloud.size() > kMaxTestedPixels ? evenly_chosen(scan.cloud, kMaxTestedPixels) : scan.cloud;
+}
+
+FreeDirections free_of(const AlignResult& result) {
+  return {result.observability, static_cast<int>(result.free_motions.size())};
 }
 
 // The same directions, those that are free first; else in their order.
@@ -87,14 +95,11 @@ double FullResolution::doubtful_information(const AlignResult& result) const {
 
 // Of the directions with little information, those that the scans say nothing of; where they are too sparse to tell,
 // those that the loop found free.
-FreeDirections FullResolution::free_directions(const AlignResult& result) const {
+FreeDirections FullResolution::free_directions(const AlignResult& result, const MotionProbe& probe) const {
   const Observability& seen = result.observability;
   const int num_doubtful = seen.num_below(doubtful_information(result));
   std::vector<bool> is_free(6, false);
-  if (num_doubtful == 0) return {seen, 0};
-  const Cloud source = tested(pair_.source), target = tested(pair_.target);
-  const MotionProbe probe(source, target, tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
-  if (!probe.can_tell()) return {seen, static_cast<int>(result.free_motions.size())};
+  if (!probe.can_tell()) return free_of(result);
   std::vector<Vec6d> doubtful;
   for (int k = 0; k < num_doubtful; ++k) doubtful.push_back(seen.directions.col(k));
   const std::vector<bool> is_spoken_of = probe.spoken_of(result.target_from_source, doubtful);
@@ -119,20 +124,41 @@ bool FullResolution::can_be_asked(const AlignResult& result) const {
          pair_.source.cloud.has_directions() && pair_.target.cloud.has_directions();
 }
 
+// Whether a result that has moved along a direction with little information is worth it: the scans agree on clearly
+// more, or no less and it is where it was. Without this, what little constrains a bare wall would pull the pose along
+// it.
+bool FullResolution::is_gain(const AlignResult& again, const AlignResult& result, const MotionProbe& probe) const {
+  const Rigid3 &to = again.target_from_source, &from = result.target_from_source;
+  const int change = probe.compared(to, from);
+  return change > 0 ||
+         (change == 0 && !differ_clearly(pair_.source.cloud, to, from, kMaxIdleMove * pair_.lengths.radius));
+}
+
+// The result from a start, once the scans have said which of its doubtful directions are free.
+AlignResult FullResolution::asked(AlignResult first, const Rigid3& start) const {
+  const Cloud source = tested(pair_.source), target = tested(pair_.target);
+  const MotionProbe probe(source, target, tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
+  const bool was_at_guess =
+      first.free_motions.empty() || !guess_target_from_source_ || start.matrix() == guess_target_from_source_->matrix();
+  if (!was_at_guess) first = aligned(start, free_of(first));
+  AlignResult result = first;
+  for (int round = 0; round < kMaxRounds && has_pose(result.status); ++round) {
+    const FreeDirections known = free_of(result), free = free_directions(result, probe);
+    if (free.num_free == known.num_free && free.seen.directions == known.seen.directions) break;
+    result = aligned(start, free);
+  }
+  const bool is_bolder = result.free_motions.size() < first.free_motions.size();
+  const bool is_kept = has_pose(result.status) && (!is_bolder || is_gain(result, first, probe));
+  return is_kept ? result : first;
+}
+
+bool FullResolution::is_doubtful(const AlignResult& result) const {
+  return !result.free_motions.empty() || result.observability.num_below(doubtful_information(result)) > 0;
+}
+
 AlignResult FullResolution::from(const Rigid3& start) const {
   AlignResult result = aligned(start, std::nullopt);
-  bool is_at_guess = result.free_motions.empty() || !guess_target_from_source_ ||
-                     start.matrix() == guess_target_from_source_->matrix();
-  for (int round = 0; round < kMaxRounds && can_be_asked(result); ++round) {
-    const FreeDirections free = free_directions(result);
-    const bool is_known = free.num_free == static_cast<int>(result.free_motions.size()) &&
-                          free.seen.directions == result.observability.directions;
-    if (is_known && is_at_guess) break;
-    AlignResult again = aligned(start, free);
-    if (!has_pose(again.status)) break;
-    result = std::move(again);
-    is_at_guess = true;
-  }
+  if (can_be_asked(result) && is_doubtful(result)) result = asked(std::move(result), start);
   return judge_.judged(std::move(result));
 }
 

@@ -10,6 +10,8 @@
 
 namespace augicp {
 
+class MotionProbe;
+
 // Not set: there is none.
 using Guess = std::optional<Rigid3>;
 
@@ -30,9 +32,12 @@ class FullResolution {
 
  private:
   double doubtful_information(const AlignResult& result) const;
+  bool is_doubtful(const AlignResult& result) const;
   bool can_be_asked(const AlignResult& result) const;
   AlignResult aligned(const Rigid3& start_target_from_source, const std::optional<FreeDirections>& free) const;
-  FreeDirections free_directions(const AlignResult& result) const;
+  FreeDirections free_directions(const AlignResult& result, const MotionProbe& probe) const;
+  bool is_gain(const AlignResult& again, const AlignResult& result, const MotionProbe& probe) const;
+  AlignResult asked(AlignResult first, const Rigid3& start_target_from_source) const;
   Rigid3 at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const;
 
   ScanPair pair_;

@@ -182,7 +182,8 @@ std::vector<MotionProbe::Answer> MotionProbe::answers(const Rigid3& target_from_
   return all;
 }
 
-bool MotionProbe::differ(std::span<const Answer> before, std::span<const Answer> after) {
+// 1: more points agree afterwards; -1: fewer.
+int MotionProbe::change(std::span<const Answer> before, std::span<const Answer> after) {
   std::int64_t agreeing = 0, lost = 0, gained = 0;
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (before[k] == Answer::None || after[k] == Answer::None) continue;
@@ -190,9 +191,14 @@ bool MotionProbe::differ(std::span<const Answer> before, std::span<const Answer>
     lost += before[k] == Answer::Agrees && after[k] == Answer::Differs;
     gained += before[k] == Answer::Differs && after[k] == Answer::Agrees;
   }
-  const auto change = static_cast<double>(std::abs(lost - gained));
-  return change > kMinShare * static_cast<double>(agreeing) &&
-         change > kMinDeviations * std::sqrt(static_cast<double>(lost + gained));
+  const auto change = static_cast<double>(std::abs(gained - lost));
+  const bool is_clear = change > kMinShare * static_cast<double>(agreeing) &&
+                        change > kMinDeviations * std::sqrt(static_cast<double>(lost + gained));
+  return !is_clear ? 0 : gained > lost ? 1 : -1;
+}
+
+int MotionProbe::compared(const Rigid3& target_from_source, const Rigid3& with_target_from_source) const {
+  return change(answers(with_target_from_source), answers(target_from_source));
 }
 
 std::vector<bool> MotionProbe::spoken_of(const Rigid3& target_from_source, std::span<const Vec6d> directions) const {
@@ -201,7 +207,7 @@ std::vector<bool> MotionProbe::spoken_of(const Rigid3& target_from_source, std::
   for (const Vec6d& direction : directions) {
     const Vec6d of_a_radius = radius_ / rms_motion(target_.cloud, direction) * direction;
     is_spoken_of.push_back(std::any_of(std::begin(kSteps), std::end(kSteps), [&](double radii) {
-      return differ(before, answers(retract(target_from_source, radii * of_a_radius)));
+      return change(before, answers(retract(target_from_source, radii * of_a_radius))) != 0;
     }));
   }
   return is_spoken_of;

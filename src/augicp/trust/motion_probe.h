@@ -30,6 +30,9 @@ class MotionProbe {
   // Whether the surroundings of most points are known. Otherwise silence means nothing.
   bool can_tell() const;
 
+  // Whether a pose brings clearly more points onto the other's surface than another pose does: 1, fewer: -1, else 0.
+  int compared(const Rigid3& target_from_source, const Rigid3& with_target_from_source) const;
+
   // Of each direction, whether moving by one or three radii (RMS of the target's points) along it, or against it,
   // changes what the scans say of each other. Directions are
   // increments (metres, radians) about the target's zero, of any length above zero.
@@ -61,7 +64,7 @@ class MotionProbe {
   Answer answer(const Asked& scan, std::uint32_t point, const Rigid3& other_from_scan, const Asked& other) const;
   Answer answer_of(const Asked& other, std::uint32_t point, const Extended& here) const;
   std::vector<Answer> answers(const Rigid3& target_from_source) const;
-  static bool differ(std::span<const Answer> before, std::span<const Answer> after);
+  static int change(std::span<const Answer> before, std::span<const Answer> after);
 
   AgreementTolerance tolerance_;
   double radius_;
