@@ -21,8 +21,7 @@ double spacing(const Cloud& cloud, double cell_size) {
 double radius_for(double voxel_size, const Scan& source, const Scan& target, const Lengths& derived) {
   if (source.view || target.view || !(derived.radius > 0.0)) return derived.radius;
   const double per_voxel = derived.radius / derived.voxel_size;
-  const double sparse =
-      std::max(spacing(source.cloud, derived.voxel_size), spacing(target.cloud, derived.voxel_size));
+  const double sparse = std::max(spacing(source.cloud, derived.voxel_size), spacing(target.cloud, derived.voxel_size));
   return std::max(per_voxel * voxel_size, std::min(per_voxel * sparse, derived.radius));
 }
 
