@@ -56,7 +56,7 @@ struct LidarOptions {
   bool search = true;
 
   // Where the weakest direction's part of the best one's information is below, the status is Degenerate.
-  double min_observability = 2e-3;
+  double min_observability = 4e-3;
 
   // A scan with less than this part of the usual share of points on the map's surfaces is doubtful, and is lost with
   // less than half of that.
