@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "augicp/cloud/voxel_grid.h"
@@ -34,7 +35,7 @@ constexpr int kMaxRounds = 2;
 // A motion below this many radii is within the tolerance.
 constexpr double kMaxIdleMove = 0.5;
 
-// An image has far more points than the test asks about.
+// An image has far more points than the probe asks about.
 constexpr std::size_t kMaxTestedPixels = 20000;
 
 Cloud tested(const Scan& scan) {
@@ -140,7 +141,8 @@ AlignResult FullResolution::asked(AlignResult first, const Rigid3& start) const 
   const MotionProbe probe(source, target, tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
   const bool was_at_guess =
       first.free_motions.empty() || !guess_target_from_source_ || start.matrix() == guess_target_from_source_->matrix();
-  if (!was_at_guess) first = aligned(start, free_of(first));
+  if (!was_at_guess)
+    if (AlignResult at_guess = aligned(start, free_of(first)); has_pose(at_guess.status)) first = std::move(at_guess);
   AlignResult result = first;
   for (int round = 0; round < kMaxRounds && has_pose(result.status); ++round) {
     const FreeDirections known = free_of(result), free = free_directions(result, probe);

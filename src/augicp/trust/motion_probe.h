@@ -34,8 +34,8 @@ class MotionProbe {
   int compared(const Rigid3& target_from_source, const Rigid3& with_target_from_source) const;
 
   // Of each direction, whether moving by one or three radii (RMS of the target's points) along it, or against it,
-  // changes what the scans say of each other. Directions are
-  // increments (metres, radians) about the target's zero, of any length above zero.
+  // changes what the scans say of each other. Directions are increments (metres, radians) about the target's zero, of
+  // any length above zero.
   std::vector<bool> spoken_of(const Rigid3& target_from_source, std::span<const Vec6d> directions) const;
 
  private:
