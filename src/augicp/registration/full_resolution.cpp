@@ -18,9 +18,9 @@ namespace {
 // found begin above 6, and cost as much as the registration.
 constexpr double kMaxStrainOfRival = 2.0;
 
-// Directions with more information than this are not asked about: in bare corridors noise and rings give no more to the
-// free one (0.0039 in the worst of the generated ones).
-constexpr double kMaxDoubtfulInformation = 0.005;
+// Directions with more information than this are not asked about: in bare corridors noise and rings give less to the
+// free one (0.0058 in the worst of a hundred generated ones).
+constexpr double kMaxDoubtfulInformation = 0.01;
 
 // The normals of images are even: they cannot feign more information than this many times the square of the angle by
 // which paired ones differ (0.3 to 1.2 in corridors with one to three times a Kinect's noise).
