@@ -239,13 +239,24 @@ class EvaluateTest(unittest.TestCase):
         found = self.evaluate(estimate, SAMPLE)
         text = run(estimate, SAMPLE, "--json", written).stdout
         self.assertEqual(json.loads(written.read_text()), found)
-        for title, key in (("ATE aligned", "ate_aligned"), ("RPE", "rpe")):
+        plain = run(estimate, SAMPLE, "--align", "none").stdout
+        for title, key, shown in (("ATE not aligned", "ate", plain), ("ATE aligned", "ate_aligned", text), ("RPE", "rpe", text)):
             for unit, part in (("m", "translation"), ("deg", "rotation_deg")):
-                row = next(line for line in text.splitlines() if line.startswith(f"{title}, {unit} "))
+                row = next(line for line in shown.splitlines() if line.startswith(f"{title}, {unit} "))
                 expected = [f"{found[key][part][name]:.6f}" for name in ("rmse", "mean", "median", "std", "min", "max")]
                 self.assertEqual(row.split()[-6:], expected)
         self.assertEqual(run(estimate, SAMPLE, "--quiet").stdout, "")
-        self.assertNotIn("ATE aligned", run(estimate, SAMPLE, "--align", "none").stdout)
+        self.assertNotIn("ATE aligned", plain)
+
+    def test_errors_without_alignment_are_shown_in_a_common_frame_only(self):
+        self.assertIn("ATE not aligned, m ", run(SAMPLE, SAMPLE).stdout)
+        stamps, poses = wandering(60, 3)
+        truth = self.write("truth.txt", stamps, poses)
+        elsewhere = motion(translation=(5, 0, 0)) @ motion((0, 0, 1), 2.0)
+        moved = self.write("moved.txt", stamps, [elsewhere @ pose for pose in poses])
+        text = run(moved, truth).stdout
+        self.assertIn("different frames", text)
+        self.assertNotIn("ATE not aligned, m ", text)
 
     def test_a_straight_path_says_that_its_alignment_is_not_unique(self):
         stamps, _ = wandering(30, 1)
