@@ -51,6 +51,21 @@ TEST(MotionProbe, SpeaksOfMotionsAcrossASurface) {
   EXPECT_EQ(MotionProbe(source, target, kTolerance, kRadius_m).spoken_of({}, across), std::vector<bool>(3, true));
 }
 
+TEST(MotionProbe, ComparesPosesByThePointsOnTheSurface) {
+  std::mt19937 generator(1);
+  const testing::DegenerateFamily plane = testing::degenerate_families()[0];
+  const Cloud source = drawn(plane, generator), target = drawn(plane, generator);
+  const MotionProbe probe(source, target, kTolerance, kRadius_m);
+  const Vec6d along = plane.free_motions[0].normalized();
+  Vec3d normal = Vec3d::Zero();
+  for (std::size_t i = 0; i < target.size(); ++i)
+    if (target.structures[i] == Structure::Planar) normal = target.directions[i].cast<double>();
+  const Rigid3 off = retract({}, translation(kRadius_m * normal)), beside = retract({}, 0.5 * kRadius_m * along);
+  EXPECT_EQ(probe.compared({}, off), 1);
+  EXPECT_EQ(probe.compared(off, {}), -1);
+  EXPECT_EQ(probe.compared(beside, {}), 0);
+}
+
 // Scan lines on a bare wall move with the sensor: both scans agree best where it seems to stand still.
 TEST(MotionProbe, ScanLinesSayNothingOfTheWayAlongACorridor) {
   const testing::Scene scene = synthetic::corridor();
