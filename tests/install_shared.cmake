@@ -11,8 +11,8 @@ file(READ ${SHARED_BUILD}/compile_commands.json commands)
 if(NOT commands MATCHES "apps/augicp/command/main\\.cpp")
   message(FATAL_ERROR "the preset install does not build the command")
 endif()
-# The scenes of augicp/testing are worlds of the command's experiments.
-foreach(unwanted _test\\.cpp augicp/testing/numeric examples/ fuzz/ -Werror)
+# The command's experiments use the scenes of augicp/testing, a library of its own.
+foreach(unwanted _test\\.cpp augicp_testing\\.dir examples/ fuzz/ -Werror)
   if(commands MATCHES "${unwanted}")
     message(FATAL_ERROR "the preset install compiles ${unwanted}: ${CMAKE_MATCH_0}")
   endif()

@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "augicp/core/option.h"
@@ -32,10 +34,19 @@ void change(std::optional<Value>& value) {
   value ? value.reset() : void(value.emplace());
 }
 
+// Python's keywords in lower case.
+inline bool is_python_keyword(std::string_view word) {
+  static constexpr std::string_view kKeywords[] = {
+      "and",  "as",     "assert",  "async", "await",  "break",    "class", "continue", "def",  "del",  "elif",
+      "else", "except", "finally", "for",   "from",   "global",   "if",    "import",   "in",   "is",   "lambda",
+      "not",  "or",     "pass",    "raise", "return", "nonlocal", "try",   "while",    "with", "yield"};
+  return std::find(std::begin(kKeywords), std::end(kKeywords), word) != std::end(kKeywords);
+}
+
 // Lower-case letters and digits in words with single underscores between them, a letter first. A word that Python keeps
 // for itself has one more underscore, as PEP 8 has it.
 inline bool is_snake_case(std::string name) {
-  if (name == "global_") name.pop_back();
+  if (name.ends_with('_') && is_python_keyword(name.substr(0, name.size() - 1))) name.pop_back();
   const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   const auto is_allowed = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
   return !name.empty() && is_letter(name.front()) && name.back() != '_' && name.find("__") == std::string::npos &&
