@@ -106,6 +106,12 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       ->group(group);
 }
 
+void require_no_file(const std::filesystem::path& sequence) {
+  if (std::error_code ignored; std::filesystem::is_regular_file(sequence, ignored))
+    throw IoError(sequence.string() +
+                  ": is a file, expected a folder; two files are registered by: augicp align SOURCE TARGET");
+}
+
 void warn_of_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {
   if (const auto suspicion = depth_scale_suspicion(image, depth_scale))
     fmt::print(stderr, "augicp: warning: {}: {}; see --depth-scale\n", path.string(), *suspicion);

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -192,12 +191,6 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   return exit_code_for(run);
 }
 
-void refuse_file(const std::string& sequence) {
-  std::error_code ignored;
-  if (fs::is_regular_file(sequence, ignored))
-    throw IoError(sequence + ": is a file, expected a folder; two files are registered by: augicp align SOURCE TARGET");
-}
-
 // By the first frame that can be read.
 void warn_by_first_frame(const DepthSequence& sequence, double depth_scale) {
   for (const DepthFrameFile& frame : sequence.frames) try {
@@ -207,7 +200,7 @@ void warn_by_first_frame(const DepthSequence& sequence, double depth_scale) {
 }
 
 int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
-  refuse_file(arguments.sequence);
+  require_no_file(arguments.sequence);
   arguments.odometry.check();
   evaluation_options(arguments).check();
   if (is_lidar(arguments)) return run_lidar(arguments, command);

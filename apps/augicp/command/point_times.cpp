@@ -32,7 +32,7 @@ struct FirstScan {
   CloudFile content;
 };
 
-// Scans that cannot be read are told later. Where all are such, the last one's error is thrown.
+// Skips scans that cannot be read: tracking reports them. If none can be read, throws the last one's error.
 FirstScan first_readable(std::span<const ScanFile> scans) {
   for (const ScanFile& scan : scans) try {
       return {scan.path, read_with_fields(scan.path)};

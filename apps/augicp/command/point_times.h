@@ -23,7 +23,7 @@ struct PointTimes {
 
 // given: auto, azimuth, none or the name of a field. auto takes the first known field of the first scan that can be
 // read, if its times differ, and else the order of the points. Throws IoError if a field is named that this scan does
-// not have, or whose times are not those of a sweep.
+// not have, or if the times of that field span no sweep.
 PointTimes point_times_of(std::span<const ScanFile> scans, const std::string& given);
 
 // The scan with the times that shares_of() needs. Throws IoError.

@@ -64,8 +64,8 @@ class ProgressBar {
   double next_drawing_ms_ = 0.0;
 };
 
-// What a command is doing, for work whose length nobody knows: the step and its seconds on stderr, drawn anew by a
-// thread from the first half second on, if it is a terminal; or lines {"step": "surfaces", "elapsed_s": 0.2}, one at
+// What a command is doing, for work of unknown length: the step and its seconds on stderr, drawn anew by a thread
+// from the first half second on, if it is a terminal; or lines {"step": "surfaces", "elapsed_s": 0.2}, one at
 // the start of each step.
 class StepLine {
  public:

@@ -8,7 +8,7 @@
 
 namespace augicp::app {
 
-// Every subcommand with what it does and its first examples, which are those of its help.
+// Every subcommand with what it does and the first examples of its help.
 std::string overview(const CLI::App& app);
 
 // Why these arguments were refused, and what to write: the name that a mistyped subcommand or option resembles, or the

@@ -45,7 +45,7 @@ std::vector<PairHistogram> simple_histograms(const ExtendedPoints& of, const Ext
   return histograms;
 }
 
-// Each point's own histogram, and those of the points around it.
+// Of each point: its own histogram, averaged with the histograms of the points around it.
 std::vector<PairHistogram> fast_histograms(const ExtendedPoints& of, const KeyCloud& support, int num_threads) {
   const double radius = kRadiusVoxels * support.voxel_size;
   const ExtendedPoints around{support.points, support.normals};
