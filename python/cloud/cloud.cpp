@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 
+#include "augicp/io/colours.h"
 #include "python/bindings.h"
 #include "python/cloud/cloud_state.h"
 #include "python/cloud/points.h"
@@ -21,6 +22,9 @@ points: (N, 3) array of any real type and strides, metres. It is copied, and may
 normals: (N, 3), of any length, or None. Registration uses them instead of estimating its own. Zero: no normal.
 structures: (N,) integers, the kind of each normal: 0 none, 1 a plane's normal, 2 an edge's tangent; None: all 1.
 viewpoint: (3,), position of the sensor, or None. Normals are oriented towards it.
+intensities: (N,), brightness in any unit, NaN if unknown, or None. Registration compares it with intensity=True.
+colors: (N, 3), or None: bytes of red, green and blue, or floats from 0 to 1. Registration does not use them; transformed()
+  and write() keep them.
 
 Far from zero (UTM coordinates) points are float32 relative to an origin in float64, so no precision is lost.
 Raises ArgumentError for wrong shapes and for more than 100 million points, ArgumentTypeError for arrays without numbers.
@@ -35,20 +39,20 @@ camera: a Camera, or text for Camera.read such as "tum-fr1" or "525 525 319.5 23
 Frame: the camera's, x right, y down, z forward. Raises ArgumentError if the image's size is not the camera's, and if the
 readings show that depth_scale is wrong.)";
 
-Scan from_points(const py::object& points, const py::object& normals, const py::object& structures,
-                 const py::object& viewpoint) {
-  return scan_of(cloud_from({points, normals, structures, viewpoint}, "points"));
+ColouredScan from_points(const py::object& points, const py::object& normals, const py::object& structures,
+                         const py::object& viewpoint, const py::object& intensities, const py::object& colors) {
+  return coloured_scan_of(cloud_from({points, normals, structures, viewpoint, intensities, colors}, "points"));
 }
 
-Scan from_depth(const py::object& image, const py::object& camera, std::optional<double> depth_scale) {
+ColouredScan from_depth(const py::object& image, const py::object& camera, std::optional<double> depth_scale) {
   const DepthCamera seen_by = camera_from(camera);
   const DepthImage depth = depth_image_from(image, depth_scale);
   check_scale(depth, depth_scale);
-  return without_gil([&](const std::stop_token&) { return scan_of(depth, seen_by); });
+  return without_gil([&](const std::stop_token&) { return ColouredScan(scan_of(depth, seen_by)); });
 }
 
 // A new array: origin + point, in float64.
-py::array positions(const Scan& scan) {
+py::array positions(const ColouredScan& scan) {
   py::array_t<double> array({static_cast<py::ssize_t>(scan.cloud.size()), py::ssize_t{3}});
   auto numbers = array.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < numbers.shape(0); ++i)
@@ -64,50 +68,57 @@ py::object view_of_rows(const py::object& self, const std::vector<Vec3f>& rows) 
 }
 
 py::object directions(const py::object& self) {
-  const Scan& scan = self.cast<const Scan&>();
+  const ColouredScan& scan = self.cast<const ColouredScan&>();
   return scan.cloud.has_directions() ? view_of_rows(self, scan.cloud.directions) : py::none();
 }
 
 py::object structures(const py::object& self) {
-  const Scan& scan = self.cast<const Scan&>();
+  const ColouredScan& scan = self.cast<const ColouredScan&>();
   if (!scan.cloud.has_directions()) return py::none();
   const auto* const first = reinterpret_cast<const std::uint8_t*>(scan.cloud.structures.data());
   return view_of(first, {static_cast<py::ssize_t>(scan.cloud.structures.size())}, self);
 }
 
 py::object weights(const py::object& self) {
-  const Scan& scan = self.cast<const Scan&>();
+  const ColouredScan& scan = self.cast<const ColouredScan&>();
   if (scan.cloud.weights.empty()) return py::none();
   return view_of(scan.cloud.weights.data(), {static_cast<py::ssize_t>(scan.cloud.weights.size())}, self);
 }
 
 py::object intensities(const py::object& self) {
-  const Scan& scan = self.cast<const Scan&>();
+  const ColouredScan& scan = self.cast<const ColouredScan&>();
   if (!scan.cloud.has_intensities()) return py::none();
   return view_of(scan.cloud.intensities.data(), {static_cast<py::ssize_t>(scan.cloud.intensities.size())}, self);
 }
 
-py::object viewpoint(const Scan& scan) {
+py::object colors(const py::object& self) {
+  static_assert(sizeof(Colour) == 3);
+  const auto& scan = self.cast<const ColouredScan&>();
+  if (scan.colours.empty()) return py::none();
+  return view_of(scan.colours.front().data(), {static_cast<py::ssize_t>(scan.colours.size()), 3}, self);
+}
+
+py::object viewpoint(const ColouredScan& scan) {
   if (!scan.cloud.viewpoint) return py::none();
   return vector_array(Vec3d(scan.cloud.origin + scan.cloud.viewpoint->cast<double>()));
 }
 
-py::object image_shape(const Scan& scan) {
+py::object image_shape(const ColouredScan& scan) {
   if (!scan.view) return py::none();
   return py::make_tuple(scan.view->index.height, scan.view->index.width);
 }
 
 py::object as_array(const py::object& self, const py::object& dtype, const py::object& copy) {
   if (!copy.is_none() && !copy.cast<bool>()) throw std::invalid_argument("copy=False: the array must be made");
-  py::array array = positions(self.cast<const Scan&>());
+  py::array array = positions(self.cast<const ColouredScan&>());
   return dtype.is_none() ? array : array.attr("astype")(dtype);
 }
 
-Scan transformed(const Scan& scan, const py::object& matrix) {
-  return scan_of(transform(scan.cloud, rigid3_from(matrix, "matrix")));
+ColouredScan transformed(const ColouredScan& scan, const py::object& matrix) {
+  return ColouredScan(scan_of(transform(scan.cloud, rigid3_from(matrix, "matrix"))), scan.colours);
 }
 
-std::string in_words(const Scan& scan) {
+std::string in_words(const ColouredScan& scan) {
   std::string text = "Cloud(" + std::to_string(scan.cloud.size()) + " points";
   if (scan.view)
     text += " of a " + std::to_string(scan.view->index.width) + " x " + std::to_string(scan.view->index.height) +
@@ -115,17 +126,17 @@ std::string in_words(const Scan& scan) {
   return text + (scan.cloud.has_directions() ? ", with directions)" : ")");
 }
 
-using CloudType = py::class_<Scan, std::shared_ptr<Scan>>;
+using CloudType = py::class_<ColouredScan, std::shared_ptr<ColouredScan>>;
 
 void bind_arrays(CloudType& type) {
   type.def_property_readonly("points", &positions, "(N, 3) float64, metres: a new array.");
   type.def_property_readonly(
       "points_from_origin",
-      [](const py::object& self) { return view_of_rows(self, self.cast<const Scan&>().cloud.points); },
+      [](const py::object& self) { return view_of_rows(self, self.cast<const ColouredScan&>().cloud.points); },
       "(N, 3) float32, metres, points - origin: the cloud's own memory, read-only, not copied. The array keeps it "
       "alive.");
   type.def_property_readonly(
-      "origin", [](const Scan& scan) { return vector_array(scan.cloud.origin); },
+      "origin", [](const ColouredScan& scan) { return vector_array(scan.cloud.origin); },
       "(3,) float64, metres; zero unless the cloud is far from zero.");
   type.def_property_readonly("directions", &directions,
                              "(N, 3) float32 unit normals and tangents, zero if there is none; None before they are "
@@ -136,6 +147,9 @@ void bind_arrays(CloudType& type) {
   type.def_property_readonly(
       "intensities", &intensities,
       "(N,) float32 view, read-only, in the unit of the file, NaN if unknown; None: the cloud has none.");
+  type.def_property_readonly("colors", &colors,
+                             "(N, 3) uint8, red, green and blue; or None. The cloud's own memory, like "
+                             "points_from_origin.");
   type.def_property_readonly("weights", &weights,
                              "(N,) float32 in (0, 1], weight of each point relative to the best; None: all alike. The "
                              "cloud's own memory, like points_from_origin.");
@@ -149,24 +163,32 @@ void bind_arrays(CloudType& type) {
 void bind_cloud(py::module_& module) {
   CloudType type(module, "Cloud", kDoc);
   type.def(py::init(&from_points), py::arg("points"), py::arg("normals") = py::none(),
-           py::arg("structures") = py::none(), py::arg("viewpoint") = py::none());
+           py::arg("structures") = py::none(), py::arg("viewpoint") = py::none(), py::arg("intensities") = py::none(),
+           py::arg("colors") = py::none());
   type.def_static("from_depth", &from_depth, py::arg("image"), py::arg("camera"), py::arg("depth_scale") = py::none(),
                   kFromDepthDoc);
   bind_arrays(type);
-  type.def("transformed", &transformed, py::arg("matrix"),
-           "A new cloud in another frame: matrix is 4 x 4 and maps this frame to that one. No depth image any more.");
-  type.def("__len__", [](const Scan& scan) { return scan.cloud.size(); });
+  type.def(
+      "transformed", &transformed, py::arg("matrix"),
+      "A new cloud in another frame, with the attributes of all points: matrix is 4 x 4 and maps this frame to that "
+      "one. No depth image any more.");
+  type.def("__len__", [](const ColouredScan& scan) { return scan.cloud.size(); });
   type.def("__repr__", &in_words);
   type.def(py::pickle(&state_of, &scan_of_state));
 }
 
 SharedScan scan_from(const py::object& given, const std::string& name) {
-  if (py::isinstance<Scan>(given)) return given.cast<std::shared_ptr<Scan>>();
+  if (py::isinstance<ColouredScan>(given)) return given.cast<std::shared_ptr<ColouredScan>>();
   if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
-    return py::module_::import("augicp._augicp").attr("read")(given).cast<std::shared_ptr<Scan>>();
-  return std::make_shared<const Scan>(scan_of(cloud_from({given}, name)));
+    return py::module_::import("augicp._augicp").attr("read")(given).cast<std::shared_ptr<ColouredScan>>();
+  return std::make_shared<const ColouredScan>(coloured_scan_of(cloud_from({given}, name)));
 }
 
-py::object cloud_of(Scan scan) { return py::cast(std::make_shared<Scan>(std::move(scan))); }
+ColouredScan coloured_scan_of(CloudFile file) {
+  std::vector<Colour> colours = colours_of(file);
+  return ColouredScan(scan_of(std::move(file.cloud)), std::move(colours));
+}
+
+py::object cloud_of(Scan scan) { return py::cast(std::make_shared<ColouredScan>(std::move(scan))); }
 
 }  // namespace augicp::python

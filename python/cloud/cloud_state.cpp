@@ -14,7 +14,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 void require_sound(bool holds) {
   if (!holds) throw std::invalid_argument("not a pickled augicp.Cloud of this version");
@@ -64,19 +64,19 @@ Scan::View view_of_state(const py::tuple& state, std::size_t num_points) {
 
 }  // namespace
 
-py::tuple state_of(const Scan& scan) {
+py::tuple state_of(const ColouredScan& scan) {
   const Cloud& cloud = scan.cloud;
   py::object viewpoint = py::none();
   if (cloud.viewpoint) viewpoint = py::make_tuple(cloud.viewpoint->x(), cloud.viewpoint->y(), cloud.viewpoint->z());
   return py::make_tuple(kFormat, bytes_of(cloud.points), bytes_of(cloud.directions), bytes_of(cloud.structures),
                         bytes_of(cloud.weights), py::make_tuple(cloud.origin.x(), cloud.origin.y(), cloud.origin.z()),
                         viewpoint, state_of(scan.view), bytes_of(cloud.intensities),
-                        bytes_of(cloud.intensity_gradients));
+                        bytes_of(cloud.intensity_gradients), bytes_of(scan.colours));
 }
 
-std::shared_ptr<Scan> scan_of_state(const py::tuple& state) {
-  require_sound(state.size() == 10 && state[0].cast<int>() == kFormat);
-  const auto scan = std::make_shared<Scan>();
+std::shared_ptr<ColouredScan> scan_of_state(const py::tuple& state) {
+  require_sound(state.size() == 11 && state[0].cast<int>() == kFormat);
+  const auto scan = std::make_shared<ColouredScan>();
   Cloud& cloud = scan->cloud;
   cloud.points = items_of<Vec3f>(state[1]);
   cloud.directions = items_of<Vec3f>(state[2]);
@@ -84,7 +84,9 @@ std::shared_ptr<Scan> scan_of_state(const py::tuple& state) {
   cloud.weights = items_of<float>(state[4]);
   cloud.intensities = items_of<float>(state[8]);
   cloud.intensity_gradients = items_of<Vec3f>(state[9]);
+  scan->colours = items_of<Colour>(state[10]);
   const std::size_t n = cloud.size();
+  require_sound(scan->colours.empty() || scan->colours.size() == n);
   require_sound(cloud.intensities.empty() || cloud.intensities.size() == n);
   require_sound(cloud.intensity_gradients.empty() || cloud.intensity_gradients.size() == n);
   require_sound(cloud.directions.size() == cloud.structures.size());

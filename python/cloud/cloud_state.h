@@ -6,13 +6,13 @@
 
 #include <memory>
 
-#include "augicp/sensor/scan.h"
+#include "python/cloud/cloud.h"
 
 namespace augicp::python {
 
-pybind11::tuple state_of(const Scan& scan);
+pybind11::tuple state_of(const ColouredScan& scan);
 
 // Throws std::invalid_argument for a state that state_of() cannot have made.
-std::shared_ptr<Scan> scan_of_state(const pybind11::tuple& state);
+std::shared_ptr<ColouredScan> scan_of_state(const pybind11::tuple& state);
 
 }  // namespace augicp::python

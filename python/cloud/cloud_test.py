@@ -47,6 +47,31 @@ def test_normals_belong_to_their_points():
             augicp.Cloud(points, **wrong)
 
 
+@pytest.mark.parametrize("suffix", ["ply", "pcd", "las"])
+def test_intensities_and_colours_stay_with_their_points(suffix, tmp_path):
+    points, colours = POINTS.astype(float), RANDOM.integers(0, 256, (100, 3), np.uint8)
+    brightness = RANDOM.integers(0, 1000, 100).astype(np.float32)
+    points[7] = np.nan
+    kept = np.arange(100) != 7
+    cloud = augicp.Cloud(points, viewpoint=[0, 0, 9], intensities=brightness, colors=colours)
+    aligned = cloud.transformed(augicp.align(cloud, cloud).T_target_source)
+    augicp.write(tmp_path / f"a.{suffix}", aligned)
+    for found in (cloud, pickle.loads(pickle.dumps(cloud)), aligned, augicp.read(tmp_path / f"a.{suffix}")):
+        assert np.array_equal(found.colors, colours[kept]) and found.colors.dtype == np.uint8
+        assert np.array_equal(found.intensities, brightness[kept])
+
+
+def test_colours_are_bytes_or_shares():
+    rows = np.array([[0, 51, 255], [102, 0, 0]])
+    for same in (rows.astype(np.uint8), rows, rows / 255, rows.astype(np.float32), (rows * 257).astype(np.uint16)):
+        assert np.array_equal(augicp.Cloud(POINTS[:2], colors=same).colors, rows)
+    for wrong in (rows[:1], np.zeros((2, 4)), np.zeros(2)):
+        with pytest.raises(augicp.ArgumentError, match="colors"):
+            augicp.Cloud(POINTS[:2], colors=wrong)
+    with pytest.raises(augicp.ArgumentError, match="intensities"):
+        augicp.Cloud(POINTS[:2], intensities=[1])
+
+
 def test_views_are_read_only_and_keep_the_cloud_alive():
     cloud = augicp.Cloud(POINTS, POINTS)
     owner = weakref.ref(cloud) if hasattr(cloud, "__weakref__") else lambda: None

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "augicp/io/cloud_from_points.h"
+#include "augicp/io/colours.h"
 #include "python/core/errors.h"
 #include "python/core/numbers.h"
 #include "python/core/without_gil.h"
@@ -52,10 +53,12 @@ void require_count(const py::array& array, py::ssize_t count, const char* name) 
                                 " points, found " + std::to_string(array.shape(0)));
 }
 
-py::array checked_structures(const py::object& given, py::ssize_t count) {
-  const py::array array = as_numbers(given, "structures");
-  if (array.ndim() != 1) throw std::invalid_argument("structures: expected shape (N,), found " + shape_text(array));
-  require_count(array, count, "structures");
+// (N,), for structures and intensities.
+py::array one_a_point(const py::object& given, py::ssize_t count, const char* name) {
+  const py::array array = as_numbers(given, name);
+  if (array.ndim() != 1)
+    throw std::invalid_argument(std::string(name) + ": expected shape (N,), found " + shape_text(array));
+  require_count(array, count, name);
   return as_reals(array);
 }
 
@@ -65,11 +68,22 @@ Structure structure_of(double number) {
   return number == static_cast<double>(Structure::Edge) ? Structure::Edge : Structure::None;
 }
 
+std::vector<Colour> checked_colours(const py::object& given, py::ssize_t count) {
+  if (given.is_none()) return {};
+  const py::array array = as_numbers(given, "colors");
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    throw std::invalid_argument("colors: expected shape (N, 3), found " + shape_text(array) +
+                                (array.ndim() == 2 && array.shape(1) == 4 ? "; give colors[:, :3]" : ""));
+  require_count(array, count, "colors");
+  const py::array reals = as_reals(array);
+  return colours_from(static_cast<std::size_t>(count), array.dtype().kind() == 'f', Reals(reals));
+}
+
 }  // namespace
 
-Cloud cloud_from(const PointArrays& arrays, const std::string& name) {
+CloudFile cloud_from(const PointArrays& arrays, const std::string& name) {
   const py::array points = rows_of_three(arrays.points, name);
-  std::optional<py::array> normals, structures;  // alive until the end of the work
+  std::optional<py::array> normals, structures, intensities;  // alive until the end of the work
   PointSource source;
   source.count = static_cast<std::size_t>(points.shape(0));
   source.position = reader_of(points);
@@ -80,11 +94,17 @@ Cloud cloud_from(const PointArrays& arrays, const std::string& name) {
   }
   if (!arrays.structures.is_none()) {
     if (!normals) throw std::invalid_argument("structures: need the normals that they say the meaning of");
-    structures = checked_structures(arrays.structures, points.shape(0));
+    structures = one_a_point(arrays.structures, points.shape(0), "structures");
     source.structure = [at = Reals(*structures)](std::size_t i) { return structure_of(at(i, 0)); };
   }
   if (!arrays.viewpoint.is_none()) source.viewpoint = vector3_from(arrays.viewpoint, "viewpoint");
-  return without_gil([&](const std::stop_token&) { return cloud_from_points(source).cloud; });
+  if (!arrays.intensities.is_none()) {
+    intensities = one_a_point(arrays.intensities, points.shape(0), "intensities");
+    source.intensity = [at = Reals(*intensities)](std::size_t i) { return at(i, 0); };
+  }
+  const std::vector<Colour> colours = checked_colours(arrays.colors, points.shape(0));
+  if (!colours.empty()) source.colour = [&colours](std::size_t i) { return colours[i]; };
+  return without_gil([&](const std::stop_token&) { return cloud_from_points(source); });
 }
 
 }  // namespace augicp::python

@@ -5,14 +5,15 @@
 
 #include <string>
 
-#include "augicp/cloud/cloud.h"
+#include "augicp/io/cloud_file.h"
 
 namespace augicp::python {
 
-// Arrays of points to a cloud, see cloud_from_points(). normals, structures, viewpoint: or None.
+// Arrays of points to a cloud, see cloud_from_points(). All but points: or None.
 struct PointArrays {
-  pybind11::object points, normals = pybind11::none(), structures = pybind11::none(), viewpoint = pybind11::none();
+  pybind11::object points, normals = pybind11::none(), structures = pybind11::none(), viewpoint = pybind11::none(),
+                           intensities = pybind11::none(), colors = pybind11::none();
 };
-Cloud cloud_from(const PointArrays& arrays, const std::string& name);
+CloudFile cloud_from(const PointArrays& arrays, const std::string& name);
 
 }  // namespace augicp::python

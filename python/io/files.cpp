@@ -29,13 +29,13 @@ bin_columns: numbers a point in a .bin file: 3, 4 (x y z intensity), 5 or 6; 0: 
 Points that are not finite are dropped. Raises FileError, with nothing read, for a file that is damaged, cut short or without
 points. A suspicious file is a UserWarning.)";
 
-Scan read_image(const fs::path& path, const py::object& camera, std::optional<double> depth_scale) {
+ColouredScan read_image(const fs::path& path, const py::object& camera, std::optional<double> depth_scale) {
   if (camera.is_none() || !depth_scale) throw WrongType(path.string() + ": a depth image needs camera and depth_scale");
   const DepthCamera seen_by = camera_from(camera);
   return without_gil([&](const std::stop_token&) {
     const DepthImage image = read_depth_png(path, *depth_scale);
     check_depth_scale(image, path, *depth_scale);
-    return scan_of(image, seen_by);
+    return ColouredScan(scan_of(image, seen_by));
   });
 }
 
@@ -60,18 +60,23 @@ CloudFile read_file(const fs::path& path, const ReadOptions& options) {
   return without_gil([&](const std::stop_token&) { return parse_cloud(file, options); });
 }
 
-Scan read(const fs::path& path, const py::object& camera, std::optional<double> depth_scale, int bin_columns,
-          std::uint64_t max_points) {
+ColouredScan read(const fs::path& path, const py::object& camera, std::optional<double> depth_scale, int bin_columns,
+                  std::uint64_t max_points) {
   if (lower_case_extension(path) == ".png") return read_image(path, camera, depth_scale);
-  const ReadOptions options{max_points, bin_columns};
+  const ReadOptions options{max_points, bin_columns, /*keep_fields=*/true};  // for the colours
   CloudFile file = read_file(path, options);
   warn(file.report.warnings, path.string());
-  return scan_of(std::move(file.cloud));
+  return without_gil([&](const std::stop_token&) { return coloured_scan_of(std::move(file)); });
 }
 
 void write(const fs::path& path, const py::object& cloud) {
   const SharedScan scan = scan_from(cloud, "cloud");
-  without_gil([&](const std::stop_token&) { write_cloud(path, scan->cloud); });
+  warn(without_gil([&](const std::stop_token&) {
+         CloudFile file{scan->cloud, std::nullopt, {}};
+         if (!scan->colours.empty()) file.fields.fields = colour_fields(scan->colours);
+         return write_cloud(path, file);
+       }),
+       path.string());
 }
 
 void write_matrix(const fs::path& path, const py::object& matrix) {
@@ -87,8 +92,8 @@ void bind_files(py::module_& module) {
              py::arg("bin_columns") = usual.num_bin_columns, py::arg("max_points") = usual.max_points, kReadDoc);
   module.def(
       "write", &write, py::arg("path"), py::arg("cloud"),
-      "Writes a Cloud or an (N, 3) array as .ply, .pcd or .las, binary, with directions and structures if it has them; "
-      "whole or absent. Raises FileError, and ArgumentError for a cloud without points.");
+      "Writes a Cloud or an (N, 3) array as .ply, .pcd or .las, binary, with the directions, structures, intensities "
+      "and colours that it has; whole or absent. Raises FileError, and ArgumentError for a cloud without points.");
   module.def(
       "read_transform",
       [](const fs::path& path) {

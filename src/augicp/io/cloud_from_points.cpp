@@ -6,21 +6,44 @@
 
 namespace augicp {
 
-CloudFile cloud_from_points(const PointSource& points) {
-  if (const std::uint64_t limit = ReadOptions{}.max_points; points.count > limit)
-    throw std::invalid_argument(fmt::format("{} points: expected at most {}; thin them first", points.count, limit));
+namespace {
+
+PointTable table_of(const PointSource& points) {
   PointTable table;
   table.format = "points in memory";
   table.num_points = points.count;
   table.has_normals = static_cast<bool>(points.normal);
+  table.has_intensities = static_cast<bool>(points.intensity);
   table.viewpoint = points.viewpoint;
-  return build_any_cloud(table, [&](CloudBuilder& builder) {
-    for (std::size_t i = 0; i < points.count; ++i) {
-      const Vec3d position = points.position(i), normal = points.normal ? points.normal(i) : Vec3d(Vec3d::Zero());
-      const Structure structure = points.structure ? points.structure(i) : Structure::Planar;
-      builder.add({position.x(), position.y(), position.z(), normal.x(), normal.y(), normal.z(),
-                   static_cast<double>(structure)});
-    }
+  if (points.colour) table.fields = colour_fields({});
+  return table;
+}
+
+PointValues values_of(const PointSource& points, std::size_t i) {
+  const Vec3d position = points.position(i), normal = points.normal ? points.normal(i) : Vec3d(Vec3d::Zero());
+  const Structure structure = points.structure ? points.structure(i) : Structure::Planar;
+  return {position.x(),
+          position.y(),
+          position.z(),
+          normal.x(),
+          normal.y(),
+          normal.z(),
+          static_cast<double>(structure),
+          points.intensity ? points.intensity(i) : 0.0};
+}
+
+void add_colour(const Colour& colour, std::vector<PointField>& fields) {
+  for (std::size_t k = 0; k < colour.size(); ++k) fields[k].values.push_back(static_cast<char>(colour[k]));
+}
+
+}  // namespace
+
+CloudFile cloud_from_points(const PointSource& points) {
+  if (const std::uint64_t limit = ReadOptions{}.max_points; points.count > limit)
+    throw std::invalid_argument(fmt::format("{} points: expected at most {}; thin them first", points.count, limit));
+  return build_any_cloud(table_of(points), [&](CloudBuilder& builder) {
+    for (std::size_t i = 0; i < points.count; ++i)
+      if (builder.add(values_of(points, i)) && points.colour) add_colour(points.colour(i), builder.fields());
   });
 }
 

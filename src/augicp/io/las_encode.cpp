@@ -2,6 +2,7 @@
 // LAS records of a cloud from another format.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 #include "augicp/io/cloud_rows.h"
@@ -35,11 +36,11 @@ bool fits(const PointField& field, const las::Dimension& dimension) {
   if (field.count != 1) return false;
   if (dimension.type == ScalarType::Float64)
     return field.type == ScalarType::Float64 || field.type == ScalarType::Float32;
-  if (is_floating(field.type)) return false;
   const bool is_signed = dimension.type == ScalarType::Int16;
   const double limit = std::exp2(dimension.num_bits > 0 ? dimension.num_bits : 8.0 * double(num_bytes(dimension.type)));
   for (std::size_t row = 0; row < field.num_rows(); ++row) {
     const double value = field.at(row);
+    if (std::trunc(value) != value) return false;  // and not NaN
     if (value < (is_signed ? -limit / 2 : 0.0) || value >= (is_signed ? limit / 2 : limit)) return false;
   }
   return true;
@@ -126,6 +127,16 @@ double step_for(const Cloud& cloud) {
   return extent > 0.0 ? std::pow(10.0, std::ceil(std::log10(extent)) - 9.0) : 1e-3;
 }
 
+// The fields, and the cloud's intensities if none has them. LAS has a place for whole numbers.
+PointFields with_intensities(PointFields fields, const Cloud& cloud) {
+  if (!cloud.has_intensities() || fields.find("intensity") || fields.find("scalar_intensity")) return fields;
+  PointField field{"intensity", ScalarType::Float32, 1, {}};
+  field.values.resize(cloud.size() * field.row_bytes());
+  std::memcpy(field.values.data(), cloud.intensities.data(), field.values.size());
+  fields.fields.push_back(std::move(field));
+  return fields;
+}
+
 // The directions and further columns of each point, as bytes.
 std::vector<RowPart> extra_parts(const Cloud& cloud, const PointFields& fields, const Layout& layout) {
   std::vector<RowPart> parts = row_parts(cloud, layout.extra, nullptr, FileEncoding::Binary);
@@ -148,7 +159,8 @@ std::vector<RowColumn> extra_columns(const std::vector<RowPart>& parts, int poin
 
 LasRecords las_records_of(const CloudFile& file) {
   constexpr std::size_t kReturns = 14;
-  const PointFields fields = fields_for_las(file.grid ? without_empty_cells(file.fields, *file.grid) : file.fields);
+  const PointFields given = file.grid ? without_empty_cells(file.fields, *file.grid) : file.fields;
+  const PointFields fields = fields_for_las(with_intensities(given, file.cloud));
   const Layout layout = layout_of(fields);
   const std::vector<RowPart> parts = extra_parts(file.cloud, fields, layout);
   const std::vector<RowColumn> extra = extra_columns(parts, layout.point_format);
