@@ -27,11 +27,12 @@ print(np.round(result.T_target_source, 4))
 
 # %% [markdown]
 # A result is true only if both clouds support the pose. `evidence` has the comparison of the clouds. `covariance` has the
-# uncertainty of the pose; its first three numbers belong to the translation.
+# uncertainty of the pose; its first three numbers belong to the translation. A result that is false may have neither.
 
 # %%
 if not result:
     raise SystemExit(f"not to be trusted: {result.status}, {[str(doubt) for doubt in result.doubts]}")
+assert result.evidence is not None and result.covariance is not None
 print(f"agreeing: {result.evidence.source_in_target.agreeing:.1%} and {result.evidence.target_in_source.agreeing:.1%}")
 print("standard deviations, mm:", np.round(1000 * np.sqrt(np.diag(result.covariance)[:3]), 2))
 

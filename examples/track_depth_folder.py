@@ -31,10 +31,12 @@ for stamp, path in sequence.frames:
     T_world_camera = odometry.add(augicp.read_depth(path, sequence.depth_scale), stamp)
     if not odometry.last_frame:
         print(f"{path.name}: {odometry.last_frame}")
-print(odometry.trajectory, "last pose:", np.round(T_world_camera, 3), sep="\n")
+print(odometry.trajectory, "last pose:", np.round(odometry.trajectory.poses[-1], 3), sep="\n")
 
 # %%
+assert sequence.truth is not None
 evaluation = augicp.evaluate(odometry.trajectory, sequence.truth)
+assert evaluation.aligned is not None and evaluation.relative is not None
 ate, rpe = evaluation.aligned.translation, evaluation.relative
 print(f"ATE {1000 * ate.rmse:.1f} mm; RPE {1000 * rpe.translation.rmse:.1f} mm and "
       f"{np.degrees(rpe.rotation.rmse):.2f} degrees a frame")

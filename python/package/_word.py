@@ -6,5 +6,5 @@ import enum
 class Word(str, enum.Enum):
     """One of some words. It equals its word, and str() gives it."""
 
-    def __str__(self):
-        return self.value
+    def __str__(self) -> str:
+        return str(self.value)
