@@ -34,6 +34,8 @@ def library_package():
 
 
 def commands():
+    yield ["zsh", "-n", PACKAGING / "completion/augicp.zsh"]
+    yield ["fish", "--no-execute", PACKAGING / "completion/augicp.fish"]
     for script in (PACKAGING / "completion/augicp.bash", PACKAGING / "wheel/install-libraries", PROJECT / "scripts/wheel", PROJECT / "scripts/package"):
         yield ["bash", "-n", script]
     for test in (PACKAGING / "debian/tests").iterdir():
