@@ -87,10 +87,10 @@ nlohmann::ordered_json align_json(const AlignPicture& picture) {
           {"target", clouds.target},
           {"poses", poses},
           {"step_texts", step_texts(picture)},
+          {"zero", numbers(frame.target_zero)},
           {"extent", extent},
           {"residual_scale", report.lengths.radius > 0.0 ? report.lengths.radius : extent},
           {"direction_length", 0.02 * extent},
-          {"view", view_json(frame)},
           {"free_motions", motions}};
 }
 

@@ -57,7 +57,6 @@ CloudFrame frame_of(const Scan& source, const Scan& target) {
   if (!target.cloud.empty()) frame.centre = median_point(target.cloud);
   frame.target_zero = target.cloud.origin + frame.centre.cast<double>();
   frame.extent = sane(std::max(robust_extent(source), robust_extent(target)));
-  if (target.view && target.cloud.viewpoint) frame.eye = (*target.cloud.viewpoint - frame.centre).cast<double>();
   return frame;
 }
 
@@ -65,19 +64,6 @@ Rigid3 page_from_source(const CloudFrame& frame, const Rigid3& target_from_sourc
   Rigid3 pose = without_origins(target_from_source, *frame.source, *frame.target);
   pose.translation -= frame.centre.cast<double>();
   return pose;
-}
-
-nlohmann::ordered_json view_json(const CloudFrame& frame) {
-  const Vec3d zero = Vec3d::Zero();
-  // A camera's frame has y down: the view is from behind it, slightly above and beside. Otherwise z is assumed to be
-  // up.
-  if (frame.eye) {
-    const Vec3d eye = 1.35 * *frame.eye + frame.extent * Vec3d(0.25, -0.18, 0.0);
-    return {{"eye", numbers(eye)}, {"target", numbers(zero)}, {"up", numbers(-Vec3d::UnitY())}};
-  }
-  return {{"eye", numbers(frame.extent * Vec3d(-0.8, -1.1, 0.8))},
-          {"target", numbers(zero)},
-          {"up", numbers(Vec3d::UnitZ())}};
 }
 
 PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame) {

@@ -15,15 +15,11 @@ struct CloudFrame {
   Vec3f centre = Vec3f::Zero();       // of the target's points, relative to its origin
   Vec3d target_zero = Vec3d::Zero();  // the page's zero in the target's frame
   double extent = 1.0;                // of the visible points, metres, above 0
-  std::optional<Vec3d> eye{};         // the target's camera, if it has one
 };
 CloudFrame frame_of(const Scan& source, const Scan& target);
 
 // For the source's points as stored, without their origin.
 Rigid3 page_from_source(const CloudFrame& frame, const Rigid3& target_from_source);
-
-// The initial view.
-nlohmann::ordered_json view_json(const CloudFrame& frame);
 
 // Both clouds, and each source point's partner under the final pose.
 struct PairedClouds {

@@ -138,8 +138,7 @@ std::string odometry_page(const OdometryPicture& picture) {
                               {"estimate", estimate_lines(picture.run, view)},
                               {"truth", truth_lines(view)},
                               {"extent", view.extent},
-                              {"view", camera_json(view, false)},
-                              {"top", camera_json(view, true)}};
+                              {"view", camera_json(view)}};
   return whole_page(head_of(picture.run), "odometry", body, charts, std::move(data));
 }
 

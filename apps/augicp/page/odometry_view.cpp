@@ -101,12 +101,8 @@ std::string truth_lines(const OdometryView& view) {
   return packed_points(lines);
 }
 
-nlohmann::ordered_json camera_json(const OdometryView& view, bool from_above) {
-  const Vec3d target = from_above ? Vec3d::Zero() : Vec3d(0.25 * view.extent * view.looks);
-  const Vec3d eye = from_above
-                        ? Vec3d(1.5 * view.extent * view.up)
-                        : Vec3d(view.extent * (0.75 * view.up - 1.15 * view.looks + 0.35 * view.up.cross(view.looks)));
-  return {{"eye", numbers(eye)}, {"target", numbers(target)}, {"up", numbers(from_above ? view.ahead : view.up)}};
+nlohmann::ordered_json camera_json(const OdometryView& view) {
+  return {{"up", numbers(view.up)}, {"ahead", numbers(view.looks)}};
 }
 
 std::string top_view_svg(const OdometryRun& run, const OdometryView& view) {

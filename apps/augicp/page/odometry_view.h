@@ -31,7 +31,7 @@ OdometryView view_of(const OdometryPicture& picture);
 std::string estimate_lines(const OdometryRun& run, const OdometryView& view);
 std::string truth_lines(const OdometryView& view);
 
-nlohmann::ordered_json camera_json(const OdometryView& view, bool from_above);
+nlohmann::ordered_json camera_json(const OdometryView& view);
 std::string top_view_svg(const OdometryRun& run, const OdometryView& view);
 
 }  // namespace augicp::app

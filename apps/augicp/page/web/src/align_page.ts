@@ -4,16 +4,18 @@ import { makeCharts } from "./chart";
 import { CloudPoints, Colouring } from "./cloud_points";
 import { type AlignData, type ChartData, isFinitePose } from "./data";
 import { directionLines } from "./direction_lines";
-import { element, toggle } from "./dom";
+import { button, element, select, toggle } from "./dom";
 import { freeArrows } from "./free_arrows";
 import { PairLines } from "./pair_lines";
 import { makeSteps } from "./steps";
-import { Viewer } from "./viewer";
+import { Survey } from "./survey";
+import { Viewer } from "./stage/viewer";
 
 const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 class AlignScene {
   readonly viewer: Viewer;
+  private readonly survey: Survey;
   private readonly source: CloudPoints;
   private readonly target: CloudPoints;
   private readonly pairs: PairLines;
@@ -23,7 +25,8 @@ class AlignScene {
   private readonly colouring = { residual: false, structure: false };
 
   constructor(private readonly align: AlignData) {
-    this.viewer = new Viewer("Both clouds in 3D; arrow keys turn, + and - zoom", align.extent, align.view);
+    this.survey = new Survey(align);
+    this.viewer = new Viewer("Both clouds in 3D: arrow keys rotate, with Shift they move, + and - zoom, 0 shows all", this.survey.home(0));
     this.source = new CloudPoints(align.source, "--source", align.extent, align.residual_scale);
     this.target = new CloudPoints(align.target, "--target", align.extent, align.residual_scale);
     this.pairs = new PairLines(align.source);
@@ -56,6 +59,9 @@ class AlignScene {
     add("Structure", "Planar, edge or none", false, (on) => { this.colouring.structure = on; this.recolour(); });
     if (this.arrows.children.length > 0)
       add("Free motions", "What the data leave open", true, (on) => { this.arrows.visible = on; });
+    add("Grid", "Lines on the ground", true, (on) => { this.viewer.showGround(on); });
+    const up = select("Up", "Which way is up", this.survey.upwards.map(({ name }) => name), (index) => { this.viewer.setHome(this.survey.home(index)); });
+    row.append(up, button("Fit", "Show all (0, or a double click)", () => { this.viewer.reset(); }));
     return row;
   }
 

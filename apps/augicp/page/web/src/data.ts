@@ -33,11 +33,10 @@ export interface FreeMotion {
   point: Maybe[];
 }
 
-// Where the first look is from, in the page's frame.
+// The camera's directions, in the page's frame, unit length.
 export interface ViewData {
-  eye: [number, number, number];
-  target: [number, number, number];
   up: [number, number, number];
+  ahead: [number, number, number]; // across up, where it looks most
 }
 
 export interface AlignData {
@@ -45,10 +44,10 @@ export interface AlignData {
   target: CloudData;
   poses: Maybe[][]; // 4x4, columns first: from source points to the page's frame; of the guess and after each iteration
   step_texts: string[]; // as many
+  zero: [number, number, number]; // of the page, in the target's frame, metres
   extent: number; // metres
   residual_scale: number; // metres
   direction_length: number; // metres
-  view: ViewData;
   free_motions: FreeMotion[];
 }
 
@@ -77,7 +76,6 @@ export interface OdometryData {
   truth: string;
   extent: number;
   view: ViewData;
-  top: ViewData;
 }
 
 export interface ReportData {

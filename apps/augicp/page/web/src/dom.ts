@@ -55,6 +55,17 @@ export function choice(names: readonly string[], title: string, onChange: (index
   return group;
 }
 
+// One of several in a list that opens. onChange is not called at first.
+export function select(label: string, title: string, names: readonly string[], onChange: (index: number) => void): HTMLLabelElement {
+  const holder = element("label", "select", label);
+  holder.title = title;
+  const list = element("select");
+  list.append(...names.map((name) => element("option", "", name)));
+  list.addEventListener("change", () => { onChange(list.selectedIndex); });
+  holder.append(list);
+  return holder;
+}
+
 // The value of a CSS variable of the page, which depends on the reader's colour scheme.
 export function cssColour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();

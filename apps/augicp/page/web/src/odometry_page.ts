@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a camera was, and what it saw there.
-import { Color } from "three";
+import { Color, Vector3 } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -11,7 +11,11 @@ import { DepthView } from "./depth_view";
 import { choice, cssColour, element, onColourScheme, toggle } from "./dom";
 import { makeSteps } from "./steps";
 import { markStrip, markTopView } from "./svg_marks";
-import { Viewer } from "./viewer";
+import { type Fitted, samplesOf } from "./stage/framing";
+import { homeDirection } from "./stage/home";
+import { type Home, Viewer } from "./stage/viewer";
+
+const kFittedModels = 20;
 
 // Two points a line; wide lines, for a trajectory must be seen before its surroundings.
 function lines(points: Float32Array, colour: string, width_px: number): LineSegments2 {
@@ -33,6 +37,17 @@ function pyramid(depth: number): LineSegments2 {
   return made;
 }
 
+// The trajectories, and the local models of some frames.
+function homeOf(odometry: OdometryData): Home {
+  const parts: Fitted[] = [odometry.estimate, odometry.truth].map((points) => ({ points: floats(points) }));
+  const stride = Math.ceil(odometry.kept.length / kFittedModels);
+  odometry.kept.forEach(({ model, model_pose: pose }, i) => {
+    if (model && isFinitePose(pose) && i % stride === 0) parts.push({ points: floats(model.points), pose });
+  });
+  const up = new Vector3(...odometry.view.up);
+  return { points: samplesOf(parts), toEye: homeDirection(up, new Vector3(...odometry.view.ahead)), up };
+}
+
 class OdometryScene {
   readonly viewer: Viewer;
   private readonly camera: LineSegments2;
@@ -41,7 +56,7 @@ class OdometryScene {
   private kept: KeptFrame | null = null;
 
   constructor(private readonly odometry: OdometryData) {
-    this.viewer = new Viewer("Trajectory in 3D; arrow keys turn, + and - zoom", odometry.extent, odometry.view);
+    this.viewer = new Viewer("Trajectory in 3D: arrow keys rotate, with Shift they move, + and - zoom, 0 shows all", homeOf(odometry));
     this.camera = pyramid(0.08 * odometry.extent);
     const truth = lines(floats(odometry.truth), "--target", 2.5);
     const estimate = lines(floats(odometry.estimate), "--source", 2.5);
@@ -59,9 +74,9 @@ class OdometryScene {
 
   controls(): HTMLElement {
     const row = element("div", "toggles");
-    const { view, top } = this.odometry;
+    const up = new Vector3(...this.odometry.view.up);
     row.append(
-      choice(["3D", "Top"], "View", (index) => { this.viewer.lookFrom(index === 0 ? view : top); }),
+      choice(["3D", "Top"], "View", (index) => { if (index === 0) this.viewer.reset(); else this.viewer.lookAlong(up); }),
       toggle("Local model", "What frames are registered to", true, (on) => {
         this.isModelShown = on;
         if (this.model) this.model.visible = on;

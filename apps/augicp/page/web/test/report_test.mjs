@@ -1,40 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The reports as their readers meet them.
-//
-//   node report_test.mjs AUGICP AUGICP_WITHOUT_SCRIPT PROJECT
+// The reports as their readers meet them: see reports.mjs for the arguments.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { copyFileSync, mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, test } from "node:test";
-import { changes, inPage, launch, settled } from "./browser.mjs";
+import { test } from "node:test";
+import { changes, inPage, settled } from "./browser.mjs";
+import { browserForTests, folder, hasScript as isWithScript, images, plainAugicp, report, room, sequence as desk } from "./reports.mjs";
 
-const [augicp, plainAugicp, project] = process.argv.slice(2);
-const folder = mkdtempSync(join(tmpdir(), "augicp report "));
-const desk = join(project, "data/tum_fr1_desk_30");
-const room = join(project, "data/room_pair");
-const images = ["1305031455.374120.png", "1305031455.210307.png"].map((name) => join(desk, "depth", name));
-
-function report(name, words, { program = augicp, codes = [0] } = {}) {
-  const file = join(folder, name);
-  const done = spawnSync(program, [...words, "--report", file], { encoding: "utf8", cwd: folder });
-  assert.ok(codes.includes(done.status), `${words}: ${done.status} ${done.stderr}`);
-  assert.ok(statSync(file).size < 15e6, `${name}: ${statSync(file).size} bytes`);
-  return file;
-}
-
-const browser = await launch();
+const browser = await browserForTests();
 const alignment = report("align.html", ["align", ...images, "--camera", "tum-fr1"]);
-const hasScript = readFileSync(alignment, "utf8").includes("<script");
-after(async () => {
-  await browser.close();
-  rmSync(folder, { recursive: true });
-});
+const hasScript = isWithScript(alignment);
 
 if (hasScript) {
   test("alignment: the slider moves the source, by mouse and by keys", () => inPage(browser, alignment, {}, async (page) => {
-    const slider = page.locator("input[type=range]");
+    const slider = page.locator(".steps input[type=range]");
     const last = await slider.inputValue();
     assert.ok(Number(last) >= 2);
     assert.ok(!(await changes(page, () => settled(page))), "nothing changes by itself");
@@ -62,10 +41,10 @@ if (hasScript) {
   test("alignment: the view turns by keys and the mouse; charts show values and set the step", () => inPage(browser, alignment, {}, async (page) => {
     const canvas = page.locator(".view > canvas");
     await canvas.focus();
-    const step = await page.locator("input[type=range]").inputValue();
+    const step = await page.locator(".steps input[type=range]").inputValue();
     assert.ok(await changes(page, () => page.keyboard.press("ArrowLeft")));
     assert.ok(await changes(page, () => page.keyboard.press("+")));
-    assert.equal(await page.locator("input[type=range]").inputValue(), step);
+    assert.equal(await page.locator(".steps input[type=range]").inputValue(), step);
     const box = await canvas.boundingBox();
     assert.ok(await changes(page, async () => {
       await page.mouse.move(box.x + 200, box.y + 200);
@@ -77,7 +56,7 @@ if (hasScript) {
     await chart.scrollIntoViewIfNeeded();
     await chart.click({ position: { x: 4, y: 20 } });
     assert.match(await page.locator(".tooltip:visible").innerText(), /iteration: 1\s+cost: \d/);
-    assert.equal(await page.locator("input[type=range]").inputValue(), "1");
+    assert.equal(await page.locator(".steps input[type=range]").inputValue(), "1");
   }));
 
   test("alignment: readable in the dark and on a telephone", async () => {
@@ -107,7 +86,7 @@ if (hasScript) {
   test("odometry: the frame is chosen by slider, strip and chart", () => {
     const file = report("odometry.html", ["odometry", desk, "--camera", "tum-fr1", "--output", join(folder, "odometry")]);
     return inPage(browser, file, {}, async (page) => {
-      const slider = page.locator("input[type=range]");
+      const slider = page.locator(".steps input[type=range]");
       assert.ok(await changes(page, () => page.keyboard.press("Home")));
       assert.ok(await changes(page, () => page.keyboard.press("End"), ".depth canvas"));
       await page.locator("svg.strip").click({ position: { x: 3, y: 10 } });
@@ -144,8 +123,8 @@ test("hostile names stay text", () => {
   const names = ["<script>alert(1)<script>.ply", "</script>.ply", "\"'><img src=x onerror=alert(1)>&amp;\u2028.ply", "--><!--<script>\u{1F642}.ply"];
   return names.reduce(async (before, name, index) => {
     await before;
-    copyFileSync(join(room, "source.ply"), join(folder, name));
-    const file = report(`hostile${index}.html`, ["align", "--source", `./${name}`, "--target", join(room, "target.ply")]);
+    copyFileSync(room[0], join(folder, name));
+    const file = report(`hostile${index}.html`, ["align", "--source", `./${name}`, "--target", room[1]]);
     await inPage(browser, file, {}, async (page) => {
       assert.ok((await page.locator("header").evaluate((header) => header.textContent)).includes(name));
       assert.equal(await page.locator("img").count(), 0);
@@ -159,7 +138,7 @@ test("little or nothing to draw is no error", async () => {
   writeFileSync(join(folder, "same.xyz"), "1 2 3\n".repeat(5000));
   writeFileSync(join(folder, "huge.xyz"), Array.from({ length: 500 }, (_, i) => `${i}e30 ${i * i}e30 ${i % 7}e30`).join("\n"));
   for (const name of ["one.xyz", "same.xyz", "huge.xyz"])
-    for (const pair of [[name, join(room, "target.ply")], [name, name]]) {
+    for (const pair of [[name, room[1]], [name, name]]) {
       const file = report("odd.html", ["align", ...pair], { codes: [0, 4, 5] });
       await inPage(browser, file, {}, async (page) => { assert.ok(await page.locator("#matrix").isVisible()); });
     }

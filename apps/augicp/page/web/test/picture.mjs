@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What a picture shows, from its pixels.
+import { settled } from "./browser.mjs";
+
+const overlays = ".gizmo, .scale-bar, .depth, .wheel-hint, .view-tools, .readout { visibility: hidden !important; }";
+
+// The box of all that is drawn on the ground of a view, as shares of its width and height: left, right, top, bottom; and the
+// mean place across of its topmost part and of its middle.
+export async function ink(page, selector = ".view > canvas") {
+  const style = await page.addStyleTag({ content: overlays });
+  await settled(page);
+  const png = (await page.locator(selector).first().screenshot()).toString("base64");
+  await style.evaluate((element) => element.remove());
+  return page.evaluate(async (base64) => {
+    const image = new window.Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const { width, height } = image;
+    const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    const ground = [...data.subarray(4 * (2 * width + 2), 4 * (2 * width + 2) + 3)];
+    const rows = Array.from({ length: height }, (_, y) =>
+      Array.from({ length: width }, (_, x) => x).filter((x) => ground.some((value, k) => Math.abs(data[4 * (y * width + x) + k] - value) > 24)));
+    const filled = rows.flatMap((row, y) => (row.length > 0 ? [y] : []));
+    const places = rows.flat();
+    const mean = (from, to) => { const part = rows.slice(from, to).flat(); return part.reduce((sum, x) => sum + x, 0) / Math.max(1, part.length) / width; };
+    const [top, bottom] = [filled[0] ?? 0, filled.at(-1) ?? 0];
+    const at = (share) => Math.round(top + share * (bottom - top));
+    return {
+      left: places.reduce((least, x) => Math.min(least, x), width) / width,
+      right: (1 + places.reduce((most, x) => Math.max(most, x), 0)) / width,
+      top: top / height,
+      bottom: (bottom + 1) / height,
+      share: places.length / (width * height),
+      topX: mean(top, at(0.06)),
+      upperX: mean(at(0.2), at(0.3)),
+    };
+  }, png);
+}
