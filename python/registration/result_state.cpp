@@ -95,6 +95,7 @@ void visit_counts(Archive& archive, Part& agreement) {
 template <typename Archive, typename Part>
 void visit_testimony(Archive& archive, Part& testimony) {
   archive.number(testimony.knows_free_space);
+  archive.number(testimony.contradicting);
   visit_counts(archive, testimony.count);
 }
 

@@ -39,6 +39,8 @@ void bind_testimony(py::module_& module) {
   type.def_property_readonly(
       "num_points", [](const Testimony& testimony) { return testimony.count.total(); }, "Points that were compared.");
   type.def_readonly("knows_free_space", &Testimony::knows_free_space, "It is a depth image.");
+  type.def_readonly("contradicting", &Testimony::contradicting,
+                    "Share, from 0 to 1, of the largest part that leaves the other's surface where that goes on.");
 }
 
 void bind_residuals(py::module_& module) {

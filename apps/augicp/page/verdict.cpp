@@ -28,6 +28,9 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
     case Doubt::FreeSpace:
       return fmt::format("{:.1f} % and {:.1f} % are in free space of the other's camera; at most {:.0f} % are allowed.",
                          100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting);
+    case Doubt::Contradiction:
+      return fmt::format("A part of {:.1f} % and {:.1f} % leaves the other's surface where that goes on.",
+                         100.0 * one.contradicting, 100.0 * other.contradicting);
     case Doubt::BarePlanes:
       return fmt::format(
           "Only {:.1f} % of the points that agree are off three bare planes, which fit any other three, and the guess "

@@ -56,6 +56,7 @@ nlohmann::ordered_json testimony_json(const Testimony& testimony) {
           {"agreeing", testimony.agreeing()},
           {"conflicting", testimony.conflicting()},
           {"knows_free_space", testimony.knows_free_space},
+          {"contradicting", testimony.contradicting},
           {"num_points", count.total()}};
 }
 
@@ -93,6 +94,8 @@ std::string testimony_text(const char* name, const Testimony& testimony) {
   std::string text = fmt::format("{} sees {:.0f} % of the other; {:.1f} % of it agree", name, 100.0 * testimony.seen(),
                                  100.0 * testimony.agreeing());
   if (testimony.knows_free_space) text += fmt::format(", {:.1f} % in free space", 100.0 * testimony.conflicting());
+  if (testimony.contradicting > 0.0)
+    text += fmt::format(", a part of {:.1f} % contradicts", 100.0 * testimony.contradicting);
   return text;
 }
 

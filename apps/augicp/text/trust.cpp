@@ -9,13 +9,14 @@
 namespace augicp::app {
 
 std::string trust_csv(std::span<const TrustResults> results) {
-  std::string text = "family,seed,status,right,translation_error,rotation_error_deg,strain,named,moved_along_free\n";
+  std::string text =
+      "family,seed,status,right,translation_error,rotation_error_deg,strain,contradicting,named,moved_along_free\n";
   for (const TrustResults& of_family : results)
     for (const synthetic::TrustOutcome& pair : of_family.outcomes) {
       const std::string error =
           pair.error ? fmt::format("{},{}", pair.error->translation, kDegPerRad * pair.error->rotation) : ",";
-      text += fmt::format("{},{},{},{:d},{},{},{:d},{}\n", of_family.family, pair.seed, name_of(pair.status),
-                          pair.is_right, error, pair.strain, pair.is_named, pair.moved_along_free);
+      text += fmt::format("{},{},{},{:d},{},{},{},{:d},{}\n", of_family.family, pair.seed, name_of(pair.status),
+                          pair.is_right, error, pair.strain, pair.contradicting, pair.is_named, pair.moved_along_free);
     }
   return text;
 }

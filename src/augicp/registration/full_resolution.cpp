@@ -26,8 +26,10 @@ constexpr double kMaxDoubtfulInformation = 0.01;
 // which paired ones differ (0.3 to 1.2 in corridors with one to three times a Kinect's noise).
 constexpr double kFeignedPerNoise = 1.5;
 
-// After a larger rotation beside the free directions, radians, nothing says which motion along them was the guess's.
-constexpr double kMaxTurnBeside = 0.2;
+// Newton steps back to the guess along the free motions. Beside a rotation of nearly half a turn there may be no way
+// back.
+constexpr int kMaxStepsBack = 20;
+constexpr double kNoStepBack = 1e-9;  // metres and radians
 
 // What is free at one pose may not be at another, but rarely changes twice.
 constexpr int kMaxRounds = 2;
@@ -109,14 +111,19 @@ FreeDirections FullResolution::free_directions(const AlignResult& result, const 
   return free_first(seen, is_free);
 }
 
+// The motions that no data constrain leave the target as it is, so they are undone in its frame, whatever rotation lies
+// between the guess and the pose. For a small one the first step is exact.
 Rigid3 FullResolution::at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const {
   if (free.num_free == 0 || !guess_target_from_source_) return target_from_source;
-  const Vec6d moved = increment_between(*guess_target_from_source_, target_from_source);
-  Vec6d along = free.seen.directions.fullPivLu().solve(moved);
-  along.head(free.num_free).setZero();
-  const Vec6d beside = free.seen.directions * along;
-  if (beside.tail<3>().norm() > kMaxTurnBeside) return target_from_source;
-  return retract(*guess_target_from_source_, beside);
+  const auto along_all = free.seen.directions.fullPivLu();
+  Rigid3 pose = target_from_source;
+  for (int step = 0; step < kMaxStepsBack; ++step) {
+    Vec6d along = along_all.solve(increment_between(*guess_target_from_source_, pose));
+    along.tail(6 - free.num_free).setZero();
+    pose = retract(pose, -free.seen.directions * along);
+    if (along.norm() < kNoStepBack) return pose;
+  }
+  return target_from_source;
 }
 
 // Whether the scans can be asked: brightness may constrain what shapes do not.
@@ -141,8 +148,11 @@ AlignResult FullResolution::asked(AlignResult first, const Rigid3& start) const 
   const MotionProbe probe(source, target, tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
   const bool was_at_guess =
       first.free_motions.empty() || !guess_target_from_source_ || start.matrix() == guess_target_from_source_->matrix();
+  // The way back to the guess may be long: a motion that is free nearby is not for ever.
   if (!was_at_guess)
-    if (AlignResult at_guess = aligned(start, free_of(first)); has_pose(at_guess.status)) first = std::move(at_guess);
+    if (AlignResult at_guess = aligned(start, free_of(first));
+        has_pose(at_guess.status) && probe.compared(at_guess.target_from_source, first.target_from_source) >= 0)
+      first = std::move(at_guess);
   AlignResult result = first;
   for (int round = 0; round < kMaxRounds && has_pose(result.status); ++round) {
     const FreeDirections known = free_of(result), free = free_directions(result, probe);

@@ -7,6 +7,7 @@
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/trust/beyond_planes.h"
+#include "augicp/trust/contradiction.h"
 
 namespace augicp {
 namespace {
@@ -99,6 +100,13 @@ Evidence Judge::evidence(const Rigid3& target_from_source) const {
   Evidence evidence;
   evidence.source_in_target = {counted(of_source), in_target.knows_free_space()};
   evidence.target_in_source = {counted(of_target), source_says_->knows_free_space()};
+  const double radius = pair_.lengths.radius;
+  if (!in_target.knows_free_space())
+    evidence.source_in_target.contradicting =
+        contradicting_share(of_source_, of_source, {of_target_, target_from_source, radius});
+  if (!source_says_->knows_free_space())
+    evidence.target_in_source.contradicting =
+        contradicting_share(of_target_, of_target, {of_source_, inverse(target_from_source), radius});
   const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, options_.num_threads);
   const PosedPairs posed{of_source_, pair_.target.cloud, pairs, target_from_source};
   const AgreementTolerance tolerance = tolerance_of(pair_.target, pair_.lengths);

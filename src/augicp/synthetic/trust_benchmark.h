@@ -28,7 +28,8 @@ struct TrustFamily {
 };
 
 // Corridors, tunnels, colonnades, fields and streets seen by LiDARs of many kinds; corridors, walls and rooms seen by
-// depth cameras; twelve degenerate shapes as bare clouds; objects moved, half-turned, mirrored, unlike, and in part.
+// depth cameras; twelve degenerate shapes as bare clouds; objects moved, half-turned, mirrored, unlike, and in part;
+// whole rooms half-turned and mirrored.
 std::vector<TrustFamily> trust_families();
 
 // What became of a pair.
@@ -38,6 +39,7 @@ struct TrustOutcome {
   std::optional<PoseError> error;  // not set: the pair has no common surface
   bool is_right = false;
   double strain = 0.0;            // of its evidence; infinite without
+  double contradicting = 0.0;     // of its evidence; 0 without
   bool is_named = false;          // degenerate, with the true number of free motions, each within 5 degrees
   double moved_along_free = 0.0;  // from the guess along the motions that it calls free, in gyration radii
 };

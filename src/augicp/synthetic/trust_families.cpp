@@ -9,6 +9,7 @@
 #include "augicp/synthetic/objects.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/synthetic/trust_benchmark.h"
+#include "augicp/synthetic/whole_room.h"
 #include "augicp/testing/degenerate_families.h"
 #include "augicp/testing/rendering.h"
 #include "augicp/testing/scenes.h"
@@ -23,6 +24,11 @@ unsigned some_seed(std::mt19937& generator) { return static_cast<unsigned>(gener
 template <typename T, std::size_t kCount>
 T drawn_from(const T (&choices)[kCount], std::mt19937& generator) {
   return choices[generator() % kCount];
+}
+
+// Not by the seed's remainder: then odd and even seeds would draw different ones.
+Object one_of(const std::vector<Object>& objects, std::mt19937& generator) {
+  return objects[generator() % objects.size()];
 }
 
 Vec6d along(const Vec3d& axis) { return (Vec6d() << axis, Vec3d::Zero()).finished(); }
@@ -102,8 +108,8 @@ TrustPair image_pair(const Scene& scene, const std::vector<Vec6d>& free_in_world
 TrustPair degenerate_shape(unsigned seed) {
   static constexpr std::size_t kPoints = 6000;
   const auto families = testing::degenerate_families();
-  const testing::DegenerateFamily& family = families[seed % families.size()];
   std::mt19937 generator(seed);
+  const testing::DegenerateFamily& family = families[generator() % families.size()];
   const double noise = generator() % 2 == 0 ? 0.0 : family.noise;
   const Rigid3 motion = random_motion(generator, 0.03, 0.03);
   TrustPair pair;
@@ -130,9 +136,9 @@ TrustPair object_pair(const Object& object, double angle_deg, double noise, std:
 
 TrustPair moved_object(unsigned seed) {
   std::mt19937 generator(seed);
-  const auto all = objects();
+  const Object object = one_of(objects(), generator);
   const double angle_deg = uniform(generator, 2.0, 8.0), noise = generator() % 2 ? kObjectNoise : 0.0;
-  return object_pair(all[seed % all.size()], angle_deg, noise, generator);
+  return object_pair(object, angle_deg, noise, generator);
 }
 
 // Only those that look different from everywhere.
@@ -141,7 +147,8 @@ TrustPair turned_object(unsigned seed) {
   std::vector<Object> unique;
   for (Object& object : objects())
     if (object.is_unique) unique.push_back(std::move(object));
-  return object_pair(unique[seed % unique.size()], uniform(generator, 60.0, 180.0), kObjectNoise, generator);
+  const Object object = one_of(unique, generator);
+  return object_pair(object, uniform(generator, 60.0, 180.0), kObjectNoise, generator);
 }
 
 TrustPair mirrored_object(unsigned seed) {
@@ -149,7 +156,8 @@ TrustPair mirrored_object(unsigned seed) {
   std::vector<Object> chiral;
   for (Object& object : objects())
     if (object.is_chiral) chiral.push_back(std::move(object));
-  TrustPair pair = object_pair(chiral[seed % chiral.size()], uniform(generator, 0.0, 30.0), kObjectNoise, generator);
+  const Object object = one_of(chiral, generator);
+  TrustPair pair = object_pair(object, uniform(generator, 0.0, 30.0), kObjectNoise, generator);
   for (Vec3f& point : pair.source.cloud.points) point.y() = -point.y();
   pair.target_from_source.reset();
   return pair;
@@ -158,7 +166,7 @@ TrustPair mirrored_object(unsigned seed) {
 TrustPair unlike_objects(unsigned seed) {
   std::mt19937 generator(seed);
   const auto all = objects();
-  const std::size_t first = seed % all.size();
+  const std::size_t first = generator() % all.size();
   const std::size_t second = (first + 1 + generator() % (all.size() - 1)) % all.size();
   TrustPair pair;
   pair.target = scan_of(sampled(all[first], kObjectPoints, kObjectNoise, generator));
@@ -169,8 +177,7 @@ TrustPair unlike_objects(unsigned seed) {
 // A scan of one side on the closed model.
 TrustPair part_on_model(unsigned seed) {
   std::mt19937 generator(seed);
-  const auto all = objects();
-  const Object& object = all[seed % all.size()];
+  const Object object = one_of(objects(), generator);
   const double angle_deg = uniform(generator, 2.0, 8.0);
   const Rigid3 motion = random_motion(generator, angle_deg * kRadPerDeg, 0.02);
   TrustPair pair;
@@ -179,6 +186,28 @@ TrustPair part_on_model(unsigned seed) {
   const Cloud side = sampled_side(object, kObjectPoints / 2, kObjectNoise, towards_viewer, 1.5, generator);
   pair.source = scan_of(transform(side, inverse(motion)));
   pair.target_from_source = motion;
+  return pair;
+}
+
+// From a guess that is wrong by half a turn about the vertical, or a little.
+TrustPair room_pair(unsigned seed, double angle_deg) {
+  std::mt19937 generator(seed);
+  const double tilt_deg = uniform(generator, 0.0, 5.0), distance_m = uniform(generator, 0.0, 0.2);
+  const Rigid3 about{rotation_exp(Vec3d(0.0, 0.0, angle_deg * kRadPerDeg)), Vec3d::Zero()};
+  const Rigid3 motion = about * random_motion(generator, tilt_deg * kRadPerDeg, distance_m);
+  TrustPair pair;
+  pair.target = scan_of(whole_room(seed, generator));
+  pair.source = scan_of(transform(whole_room(seed, generator), inverse(motion)));
+  pair.target_from_source = motion;
+  return pair;
+}
+
+TrustPair half_turned_room(unsigned seed) { return room_pair(seed, 180.0); }
+
+TrustPair mirrored_room(unsigned seed) {
+  TrustPair pair = room_pair(seed, 0.0);
+  for (Vec3f& point : pair.source.cloud.points) point.y() = -point.y();
+  pair.target_from_source.reset();
   return pair;
 }
 
@@ -249,6 +278,8 @@ std::vector<TrustFamily> trust_families() {
           of_clouds("objects mirrored", mirrored_object),
           of_clouds("objects unlike", unlike_objects),
           of_clouds("part on model", part_on_model),
+          {"room half-turned", half_turned_room, {0.05, 3.0 * kRadPerDeg}},
+          {"room mirrored", mirrored_room, {0.05, 3.0 * kRadPerDeg}},
           of_clouds("flat outlines", flat_outline)};
 }
 

@@ -43,6 +43,17 @@ TEST(Verdict, EachSideAloneCanRaiseEachDoubt) {
     }
 }
 
+TEST(Verdict, APartThatContradictsIsADoubtOnEachSide) {
+  for (Testimony Evidence::*side : {&Evidence::source_in_target, &Evidence::target_in_source}) {
+    Evidence evidence = good_evidence();
+    (evidence.*side).contradicting = 0.9 * VerdictLimits{}.max_contradicting;
+    EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+    (evidence.*side).contradicting = 1.1 * VerdictLimits{}.max_contradicting;
+    EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::Contradiction});
+    EXPECT_FALSE(fits_as_well(evidence, good_evidence()));
+  }
+}
+
 // An overlap of three tenths is enough if all of it agrees, and too little if a seventh does not.
 TEST(Verdict, TheLessIsSeenTheBetterItMustAgree) {
   Evidence evidence = good_evidence();
