@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/median.h"
+#include "augicp/sensor/image_noise.h"
 #include "augicp/trust/beyond_planes.h"
 #include "augicp/trust/contradiction.h"
 
@@ -20,8 +22,18 @@ constexpr std::size_t kNumWitnesses = 4096;
 constexpr double kDistancePerDepth = 0.015;
 constexpr double kDistancePerRadius = 0.5;
 
+// A noisier camera's readings are near a surface within this many standard deviations: those of two readings.
+constexpr double kDistancePerNoise = 3.0;
+
 // Without a guess a pose is as far from it as a half turn takes the points: no pose is nearer than another.
 constexpr double kMovedFromAnywhere = 2.0;
+
+// A part of the depth, at the image's median depth.
+double noise_per_depth(const Scan& image) {
+  std::vector<float> depths;
+  for (const Vec3f& point : evenly_chosen(image.cloud, kNumWitnesses).points) depths.push_back(point.z());
+  return depths.empty() ? 0.0 : kDistancePerNoise * noise_per_depth_sq(image) * upper_median(std::move(depths));
+}
 
 Cloud witnesses(const Cloud& cloud) { return evenly_chosen(cloud, kNumWitnesses); }
 
@@ -53,7 +65,7 @@ double moved(const Cloud& source, const Rigid3& from_pose, const Rigid3& to_pose
 }  // namespace
 
 AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths) {
-  if (scan.view) return {.distance = 0.0, .per_depth = kDistancePerDepth};
+  if (scan.view) return {.distance = 0.0, .per_depth = std::max(kDistancePerDepth, noise_per_depth(scan))};
   return {.distance = kDistancePerRadius * lengths.radius, .per_depth = 0.0};
 }
 
@@ -76,6 +88,8 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
       matcher_(matcher),
       guess_target_from_source_(guess_target_from_source),
       options_(options),
+      on_source_(tolerance_of(pair.source, pair.lengths)),
+      on_target_(tolerance_of(pair.target, pair.lengths)),
       of_source_(witnesses(pair.source.cloud)),
       of_target_(witnesses(pair.target.cloud)),
       target_says_(pair.target.view ? matcher_for(pair.target, true, pair.lengths) : nullptr),
@@ -84,10 +98,8 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
 std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) const {
   const int num_threads = options_.num_threads;
   const ScanMatcher& in_target = target_says_ ? *target_says_ : matcher_;
-  std::vector<PointAgreement> of_point =
-      in_target.agreements(of_source_, target_from_source, tolerance_of(pair_.target, pair_.lengths), num_threads);
-  const auto back = source_says_->agreements(of_target_, inverse(target_from_source),
-                                             tolerance_of(pair_.source, pair_.lengths), num_threads);
+  std::vector<PointAgreement> of_point = in_target.agreements(of_source_, target_from_source, on_target_, num_threads);
+  const auto back = source_says_->agreements(of_target_, inverse(target_from_source), on_source_, num_threads);
   of_point.insert(of_point.end(), back.begin(), back.end());
   return of_point;
 }
@@ -109,9 +121,8 @@ Evidence Judge::evidence(const Rigid3& target_from_source) const {
         contradicting_share(of_target_, of_target, {of_source_, inverse(target_from_source), radius});
   const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, options_.num_threads);
   const PosedPairs posed{of_source_, pair_.target.cloud, pairs, target_from_source};
-  const AgreementTolerance tolerance = tolerance_of(pair_.target, pair_.lengths);
   evidence.residuals = residuals(posed);
-  evidence.beyond_planes = share_beyond_planes(pair_.target.cloud, agreeing_points(posed, tolerance), tolerance);
+  evidence.beyond_planes = share_beyond_planes(pair_.target.cloud, agreeing_points(posed, on_target_), on_target_);
   return evidence;
 }
 

@@ -17,7 +17,8 @@ std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, cons
 // The place of a cloud's sensor, or of a depth image's camera, if it is known; relative to the cloud's origin.
 std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths);
 
-// How far from a scan's surface a point of the other still is on it.
+// How far from a scan's surface a point of the other still is on it. Depth images are measured: a noisy one allows
+// more.
 AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths);
 
 // Judges poses between two scans, all by the same evidence: what the scans say of each other. It compares a few
@@ -47,6 +48,7 @@ class Judge {
   const ScanMatcher& matcher_;
   std::optional<Rigid3> guess_target_from_source_;
   AlignOptions options_;
+  AgreementTolerance on_source_, on_target_;                // of points on each scan
   Cloud of_source_, of_target_;                             // the points that are compared
   std::unique_ptr<ScanMatcher> target_says_, source_says_;  // what they are compared with; null: matcher_
 };
