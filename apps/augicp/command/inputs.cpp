@@ -13,7 +13,7 @@
 #include "augicp/io/depth_file.h"
 #include "augicp/io/grey_png.h"
 #include "augicp/io/read_cloud.h"
-#include "augicp/io/spread.h"
+#include "augicp/io/unit_warning.h"
 #include "augicp/io/write_cloud.h"
 
 namespace augicp::app {
@@ -141,16 +141,8 @@ void require_use_of_camera(const InputOptions& options, const std::vector<std::f
 }
 
 void warn_of_units(const Cloud& source, const Cloud& target) {
-  constexpr double kAlike = 4.0;  // two views of one place differ less
-  if (source.empty() || target.empty()) return;
-  const auto radius = [](const Cloud& cloud) {
-    return spread_of(cloud.size(), [&](std::size_t i) { return Vec3d(cloud.points[i].cast<double>()); }).radius;
-  };
-  const double of_source = radius(source), of_target = radius(target);
-  const double ratio = std::max(of_source, of_target) / std::min(of_source, of_target);
-  if (!(ratio > 1000.0 / kAlike && ratio < 1000.0 * kAlike)) return;
-  fmt::print(stderr, "augicp: warning: the {} is about {:.0f} times as large as the {}: millimetres and metres?\n",
-             of_source > of_target ? "source" : "target", ratio, of_source > of_target ? "target" : "source");
+  const std::string doubt = unit_warning(source, target);
+  if (!doubt.empty()) fmt::print(stderr, "augicp: warning: {}\n", doubt);
 }
 
 void write_cloud_output(const std::string& path, const CloudFile& file, bool quiet) {
