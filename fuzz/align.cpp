@@ -64,7 +64,7 @@ Cloud take_cloud(Bytes& bytes, std::size_t count, bool in_mm) {
     for (double& x : position)
       x = in_mm ? 0.001 * bytes.take<std::int16_t>() : static_cast<double>(bytes.take<float>());
   }
-  return cloud_from_points({positions.size(), [&](std::size_t i) { return positions[i]; }, {}, {}, {}}).cloud;
+  return cloud_from_points({positions.size(), [&](std::size_t i) { return positions[i]; }, {}, {}, {}, {}, {}}).cloud;
 }
 
 void expect_sound(const AlignResult& result) {

@@ -9,6 +9,8 @@
 #include "python/cloud/cloud.h"
 #include "python/core/errors.h"
 #include "python/core/options.h"
+#include "python/core/signatures.h"
+#include "python/core/without_gil.h"
 #include "python/core/words.h"
 #include "python/geometry/trajectory.h"
 #include "python/registration/result.h"
@@ -43,6 +45,16 @@ py::dict option_types(const std::string& function) {
   return of_options(function, [](const auto& options) { return types_of(options); });
 }
 
+// The functions with keyword options, and whose options they are.
+py::dict keyword_options() {
+  py::dict options;
+  for (const char* name : {"align", "find_pose", "estimate_surface"}) options[name] = default_options("align");
+  options["Odometry.__init__"] = default_options("odometry");
+  options["LidarOdometry.__init__"] = default_options("lidar_odometry");
+  options["evaluate"] = default_options("evaluate");
+  return options;
+}
+
 // All public names, for `from augicp import *`.
 py::list public_names(const py::module_& module) {
   py::list names;
@@ -71,6 +83,8 @@ void bind_all(py::module_& module) {
   bind_evaluate(module);
   module.def("default_options", &default_options, py::arg("function") = "align", kDefaultsDoc);
   module.def("_option_types", &option_types, "The same with the type of each, as the stub has it.");
+  set_text_signatures(module, keyword_options());
+  wait_for_kept_at_exit();
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 """Ctrl-C ends what would go on for ever, with the exception of Python's own handler, and everything works afterwards."""
 import os
 import signal
+import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -74,6 +76,34 @@ def test_a_handler_that_raises_nothing_ends_nothing(interrupt, clouds):
     while not calls:
         pass
     assert calls == [signal.SIGINT]
+
+
+def test_nobody_waits_for_a_long_stage(tmp_path):
+    """The exception comes while the work still runs. Later calls work, and Python ends with that work left behind."""
+    (tmp_path / "long.xyz").write_text("0.25 0.5 0.75\n1.5 2.5 3.5\n" * 1_000_000)
+    code = """
+import os, signal, sys, threading
+import augicp
+tasks = lambda: set(os.listdir("/proc/self/task"))
+def send():
+    others = tasks()
+    ready.set()
+    while tasks() <= others:
+        pass
+    os.kill(os.getpid(), signal.SIGINT)
+ready = threading.Event()
+sender = threading.Thread(target=send)
+sender.start()
+ready.wait()
+before = tasks() - {str(sender.native_id)}
+try:
+    augicp.read(sys.argv[1])
+except KeyboardInterrupt:
+    print(len(tasks() - before - {str(sender.native_id)}))
+assert len(augicp.read(sys.argv[1])) == 2_000_000
+"""
+    finished = subprocess.run([sys.executable, "-c", code, tmp_path / "long.xyz"], capture_output=True, text=True, check=False)
+    assert (finished.returncode, finished.stdout) == (0, "1\n"), finished.stderr
 
 
 def test_odometry_stays_as_it_was(interrupt):

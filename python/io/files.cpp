@@ -55,7 +55,7 @@ FileBytes decompressed(const fs::path& path) {
 CloudFile read_file(const fs::path& path, const ReadOptions& options) {
   // A missing file is one of any name.
   if (lower_case_extension(path) != ".laz" || !fs::exists(path))
-    return without_gil([&](const std::stop_token&) { return read_cloud(path, options); });
+    return without_gil_or_wait([path, options](const std::stop_token&) { return read_cloud(path, options); });
   const FileBytes file = decompressed(path);
   return without_gil([&](const std::stop_token&) { return parse_cloud(file, options); });
 }

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "augicp/io/unit_warning.h"
 #include "augicp/registration/option_table.h"
 #include "augicp/registration/registration.h"
 #include "python/bindings.h"
@@ -10,6 +11,8 @@
 #include "python/core/numbers.h"
 #include "python/core/options.h"
 #include "python/core/without_gil.h"
+#include "python/geometry/trajectory.h"
+#include "python/registration/report.h"
 #include "python/registration/result.h"
 
 namespace augicp::python {
@@ -27,7 +30,8 @@ threads: 0: all of the machine. The result is bit-identical for any number.
 Returns a Result; bool(result) is True only if both clouds support the pose. Bad data never raises: empty or non-overlapping
 clouds give a status. Raises ArgumentError (a ValueError) for options and shapes out of
 range, ArgumentTypeError (a TypeError) for unknown options and for what are no numbers. Arrays are copied first. Works
-without the GIL; may be called from several threads at once; Ctrl-C ends it between two iterations or stages.
+without the GIL; may be called from several threads at once; Ctrl-C ends it. Clouds of which one is about a thousand times
+as large as the other are a UserWarning: millimetres and metres? The result keeps the clouds, for its report().
 
 Options, by keyword; augicp.default_options() has their defaults:
 )";
@@ -40,14 +44,15 @@ nothing alike. source, target, threads, options and exceptions: as of align().
 )";
 
 // What a result says of its options: they have the derived lengths.
-Result with_lengths(AlignResult found, const Scan& target, const Lengths& lengths, RegistrationOptions options) {
+Result with_lengths(AlignResult found, const Scan& target, const Lengths& lengths, RegistrationOptions options,
+                    std::shared_ptr<const ResultInputs> inputs) {
   options.stop = {};
   if (lengths.radius > 0.0) {
     options.radius = lengths.radius;
     options.voxel_size = lengths.voxel_size;
     options.max_distance = lengths.max_distance;
   }
-  return {std::move(found), options, target.cloud.origin};
+  return {std::move(found), options, target.cloud.origin, std::move(inputs)};
 }
 
 RegistrationOptions options_from(const py::object& method, const py::object& threads, const py::kwargs& given) {
@@ -68,17 +73,31 @@ Rigid3 guess_from(const py::object& initial, RegistrationOptions& options) {
   return {};
 }
 
+std::shared_ptr<const ResultInputs> inputs_from(const py::object& source, const py::object& target,
+                                                const Rigid3& guess) {
+  const auto inputs = std::make_shared<ResultInputs>();
+  inputs->source = scan_from(source, "source");
+  inputs->target = scan_from(target, "target");
+  inputs->initial = guess;
+  inputs->source_name = name_in_report(source, *inputs->source);
+  inputs->target_name = name_in_report(target, *inputs->target);
+  const std::string doubt = unit_warning(inputs->source->cloud, inputs->target->cloud);
+  if (!doubt.empty()) warn({doubt}, "align");
+  return inputs;
+}
+
 Result align(const py::object& source, const py::object& target, const py::object& initial, const py::object& method,
              const py::object& threads, const py::kwargs& given) {
   RegistrationOptions options = options_from(method, threads, given);
   const Rigid3 guess = guess_from(initial, options);
   options.check();
-  const SharedScan source_scan = scan_from(source, "source"), target_scan = scan_from(target, "target");
-  return without_gil([&](const std::stop_token& stop) {
-    options.stop = stop;
-    Registration registration = register_scans(*source_scan, *target_scan, guess, options);
+  const auto inputs = inputs_from(source, target, guess);
+  return without_gil_or_wait([inputs, options](const std::stop_token& stop) {
+    RegistrationOptions stoppable = options;
+    stoppable.stop = stop;
+    Registration registration = register_scans(*inputs->source, *inputs->target, inputs->initial, stoppable);
     return with_lengths(std::move(registration.result), registration.prepared.target, registration.prepared.lengths,
-                        options);
+                        options, inputs);
   });
 }
 
@@ -87,13 +106,14 @@ std::vector<Result> find_pose(const py::object& source, const py::object& target
   RegistrationOptions options = options_from(method, threads, given);
   options.global = true;
   options.check();
-  const SharedScan source_scan = scan_from(source, "source"), target_scan = scan_from(target, "target");
-  return without_gil([&](const std::stop_token& stop) {
-    options.stop = stop;
-    const Lengths lengths = lengths_for(*source_scan, *target_scan, options);
+  const auto inputs = inputs_from(source, target, {});
+  return without_gil_or_wait([inputs, options](const std::stop_token& stop) {
+    RegistrationOptions stoppable = options;
+    stoppable.stop = stop;
+    const Lengths lengths = lengths_for(*inputs->source, *inputs->target, stoppable);
     std::vector<Result> results;
-    for (AlignResult& found : augicp::find_pose(*source_scan, *target_scan, options))
-      results.push_back(with_lengths(std::move(found), *target_scan, lengths, options));
+    for (AlignResult& found : augicp::find_pose(*inputs->source, *inputs->target, stoppable))
+      results.push_back(with_lengths(std::move(found), *inputs->target, lengths, options, inputs));
     return results;
   });
 }

@@ -2,6 +2,7 @@
 #include "python/registration/result.h"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <sstream>
 
@@ -10,6 +11,7 @@
 #include "python/core/numbers.h"
 #include "python/core/options.h"
 #include "python/core/words.h"
+#include "python/registration/report.h"
 #include "python/registration/result_state.h"
 #include "python/registration/result_text.h"
 
@@ -129,6 +131,9 @@ void bind_result(py::module_& module) {
   type.def("__repr__", &in_words);
   type.def("__str__", &text_of);
   type.def("_repr_html_", &html_of);
+  type.def("report", &write_report, py::arg("path"),
+           "Writes the page of `augicp align --report`: one HTML file with both clouds in 3D, readable offline. Raises "
+           "FileError, and ArgumentError for a result that was copied or pickled: it has no clouds.");
   type.def("to_dict", &dict_of, "A new dict of lists, numbers and words, for json.dumps().");
   type.def(py::pickle(&state_of_result, &result_of_state));
 }

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import augicp
-from conftest import ROOM
+from conftest import ROOM, run_command
 
 
 @pytest.fixture(scope="module")
@@ -48,6 +48,31 @@ def test_a_damaged_state_is_refused(result):
     for state in ((version + 1, values, options), (version, values[:-1], options), (version, np.append(values, 0), options)):
         with pytest.raises((ValueError, RuntimeError)):
             type(result).__new__(type(result)).__setstate__(state)
+
+
+def test_its_report_is_the_command_s(result, tmp_path):
+    page = tmp_path / "page.html"
+    if run_command("align", ROOM / "source.ply", ROOM / "target.ply", "--quiet", "--report", tmp_path / "expected.html").returncode:
+        pytest.fail("the command failed")
+    result.report(page)
+    # The script is the command's own: a build may have none of it.
+    assert page.read_text() == (tmp_path / "expected.html").read_text()
+    with pytest.raises(augicp.ArgumentError, match="no clouds"):
+        copy.copy(result).report(page)
+    with pytest.raises(augicp.FileError):
+        result.report(tmp_path / "nowhere/page.html")
+
+
+def test_reports_of_arrays_and_failures(tmp_path):
+    nothing = augicp.align([[0, 0, 0]], [[9, 9, 9]])
+    assert not nothing
+    nothing.report(str(tmp_path / "page.html"))
+    assert "1 points" in (tmp_path / "page.html").read_text()
+
+
+def test_millimetres_beside_metres_are_a_warning(small):
+    with pytest.warns(UserWarning, match="target is about 1000 times as large"):
+        augicp.align(small[0], small[1] * 1000)
 
 
 def test_text_and_dict_have_matrix_and_verdict(result):

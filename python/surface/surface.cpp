@@ -35,9 +35,10 @@ py::object estimate_surface(const py::object& cloud, const py::object& threads, 
   set_options(given, options);
   options.check();
   const SharedScan scan = scan_from(cloud, "cloud");
-  return cloud_of(without_gil([&](const std::stop_token& stop) {
-    options.stop = stop;
-    return extended(*scan, options);
+  return cloud_of(without_gil_or_wait([scan, options](const std::stop_token& stop) {
+    RegistrationOptions stoppable = options;
+    stoppable.stop = stop;
+    return extended(*scan, stoppable);
   }));
 }
 
