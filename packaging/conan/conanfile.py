@@ -18,7 +18,7 @@ class Augicp(ConanFile):
     settings = "os", "compiler", "build_type", "arch"
     options = {"shared": [True, False], "fPIC": [True, False]}
     default_options = {"shared": False, "fPIC": True}
-    requires = ("eigen/[>=3.4 <4]", "fmt/[>=9]", "libspng/[>=0.7]", "lzf/[>=3.6]", "nlohmann_json/[>=3.11]", "onetbb/[>=2021.8]")
+    requires = ("eigen/[>=3.4 <4]", "fmt/[>=9]", "libspng/[>=0.7]", "lzf/[>=3.6]", "nlohmann_json/[>=3.11]", "onetbb/[>=2021.8]", "zlib/[>=1.2.11 <2]")
 
     def set_version(self):
         self.version = (ROOT / "VERSION").read_text(encoding="utf-8").strip()

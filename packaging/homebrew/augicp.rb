@@ -16,6 +16,8 @@ class Augicp < Formula
   depends_on "libspng"
   depends_on "tbb"
 
+  uses_from_macos "zlib"
+
   def install
     system "cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DAUGICP_BUILD_TESTS=OFF", "-DAUGICP_BUILD_EXAMPLES=OFF",
            "-DAUGICP_BUILD_PYTHON=OFF", "-DBUILD_SHARED_LIBS=ON", *std_cmake_args

@@ -8,7 +8,7 @@ pkgs.stdenv.mkDerivation {
   src = pkgs.lib.cleanSource ../..;
 
   nativeBuildInputs = with pkgs; [ cmake ninja pkg-config ];
-  buildInputs = with pkgs; [ cli11 fmt liblzf libspng nlohmann_json tbb ];
+  buildInputs = with pkgs; [ cli11 fmt liblzf libspng nlohmann_json tbb zlib ];
   propagatedBuildInputs = [ pkgs.eigen ];
 
   cmakeFlags = [

@@ -20,10 +20,14 @@ namespace fs = std::filesystem;
 
 constexpr double kSaveEvery_ms = 5000.0;
 
-FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, const PointTimes& times, int segment) {
+FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, const LidarInput& input, std::size_t row,
+                      int segment) {
   try {
+    const PointTimes& times = input.point_times;
     const CloudFile file = read_timed(scan.path, times);
-    return odometry.add(scan.stamp_s, file.cloud, shares_of(file, scan.path, times));
+    FrameReport report = odometry.add(scan.stamp_s, file.cloud, shares_of(file, scan.path, times));
+    if (input.on_scan) input.on_scan(row, report, file.cloud);
+    return report;
   } catch (const IoError& error) {
     return unreadable_frame(scan.stamp_s, segment, error.what());
   }
@@ -77,7 +81,7 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry) {
   for (const std::size_t frame : input.chosen) {
     const ScanFile& scan = input.sequence.scans[frame];
     FrameRow row{frame, scan.path, {}, 0.0};
-    row.report = report_on(odometry, scan, input.point_times, segment);
+    row.report = report_on(odometry, scan, input, run.rows.size(), segment);
     segment = row.report.segment;
     row.time_ms = all.elapsed_ms() - run.total_ms;
     run.total_ms = all.elapsed_ms();

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct LidarInput {
   std::vector<std::size_t> chosen;  // numbers of its scans, ascending
   PointTimes point_times;
   std::filesystem::path output;  // a folder that exists
+  // Called with each scan that could be read; may be empty.
+  std::function<void(std::size_t row, const FrameReport& report, const Cloud& scan)> on_scan{};
   Progress progress = Progress::Auto;
 };
 

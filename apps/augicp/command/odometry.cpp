@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -168,7 +169,6 @@ bool is_lidar(const OdometryArguments& arguments) {
 }
 
 int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
-  if (!arguments.page.empty()) throw std::invalid_argument("--report: only for depth cameras");
   arguments.lidar.odometry.check();
   require_extension(arguments.lidar.map, {".ply", ".pcd"});
   LidarInput input;
@@ -184,7 +184,14 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   write_text_file(folder / "config.toml", effective_config(command, folder));
   LidarArguments lidar = arguments.lidar;
   lidar.odometry.num_threads = arguments.odometry.registration.num_threads;
+  std::vector<KeptModel> scans;
+  const std::vector<std::uint32_t> kept = kept_rows(arguments.page.empty() ? 0 : input.chosen.size());
+  input.on_scan = [&](std::size_t row, const FrameReport& report, const Cloud& scan) {
+    if (has_pose(report.status) && std::binary_search(kept.begin(), kept.end(), row))
+      scans.push_back(kept_scan(row, report.world_from_camera, scan));
+  };
   const OdometryRun run = run_lidar_odometry(input, lidar);
+  if (!arguments.page.empty()) write_text_file(arguments.page, odometry_page({run, scans}));
   report_to_user(
       run, arguments,
       folder.string() + ": trajectory.txt poses_kitti.txt metrics.json frames.csv covariances.csv config.toml");
@@ -221,7 +228,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
     write_json((folder / "metrics.json").string(), metrics_json(run));
   });
   const double depth_scale = arguments.depth_scale.value_or(sequence.depth_scale);
-  if (!arguments.page.empty()) write_text_file(arguments.page, odometry_page({run, sequence, depth_scale, models}));
+  if (!arguments.page.empty()) write_text_file(arguments.page, odometry_page({run, models, &sequence, depth_scale}));
   report_to_user(run, arguments, folder.string() + ": trajectory.txt metrics.json frames.csv config.toml");
   return exit_code_for(run);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/augicp/page/clouds.h"
+#include "apps/augicp/page/length_text.h"
 #include "apps/augicp/page/parts.h"
 #include "apps/augicp/page/verdict.h"
 #include "augicp/core/angles.h"
@@ -42,19 +43,24 @@ std::vector<std::string> step_texts(const AlignPicture& picture) {
   std::vector<std::string> texts{fmt::format("Before: the guess (0 of {})", history.size())};
   const std::vector<Step> steps = steps_of(picture);
   for (std::size_t i = 0; i < steps.size(); ++i)
-    texts.push_back(fmt::format("Iteration {} of {}: {} pairs, moved {:.3g} m and {:.3g}°", i + 1, history.size(),
-                                history[i].num_pairs, steps[i].translation, steps[i].rotation_deg));
+    texts.push_back(fmt::format("Iteration {} of {}: {} correspondences, moved {} and {:.2g}°", i + 1, history.size(),
+                                history[i].num_pairs, length_text(steps[i].translation), steps[i].rotation_deg));
   return texts;
 }
 
 std::vector<Chart> convergence_charts(const AlignPicture& picture) {
   const std::vector<Step> steps = steps_of(picture);
-  Chart cost{"Cost before the step", "iteration", "cost", true}, pairs{"Pairs", "iteration", "count", false};
-  Chart kernel{"Kernel K of the robust weight", "iteration", "chi²", true};
+  Chart cost{"Cost before the step", "iteration", "cost", true}, pairs{"Correspondences", "iteration", "count", false};
+  Chart kernel{"Residuals that count in full", "iteration", "squared residual", true};
   Chart step{"Step: metres, and degrees dashed", "iteration", "m, degrees", true};
+  cost.meaning = "The weighted squared residuals of all correspondences, summed. It falls as the clouds meet.";
+  pairs.meaning = "Source points that were matched with a target point in each iteration.";
+  kernel.meaning =
+      "Squared residuals, in units of their variance, above which a correspondence loses weight as an outlier.";
+  step.meaning = "How far each iteration moved the middle of the source, and by how much it rotated it.";
   cost.series = {{"cost"}};
-  pairs.series = {{"pairs"}};
-  kernel.series = {{"K"}};
+  pairs.series = {{"correspondences"}};
+  kernel.series = {{"limit"}};
   step.series = {{"translation, m"}, {"rotation, degrees"}};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const AlignIteration& iteration = picture.report.result.history[i];
@@ -89,8 +95,9 @@ nlohmann::ordered_json align_json(const AlignPicture& picture) {
           {"step_texts", step_texts(picture)},
           {"zero", numbers(frame.target_zero)},
           {"extent", extent},
-          {"residual_scale", report.lengths.radius > 0.0 ? report.lengths.radius : extent},
           {"direction_length", 0.02 * extent},
+          {"source_zero", numbers(picture.prepared.source.cloud.origin)},
+          {"pairs", clouds.pairs},
           {"free_motions", motions}};
 }
 
@@ -101,7 +108,7 @@ std::string matrix_html(const Rigid3& target_from_source) {
   for (int i = 0; i < 4; ++i)
     text +=
         fmt::format("{:14.9f} {:14.9f} {:14.9f} {:14.9f}\n", matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3));
-  return "<p>From source to target coordinates, metres</p>\n<pre id=\"matrix\">" + text + "</pre>\n";
+  return "<p>x_target = T x_source, metres</p>\n<pre id=\"matrix\" tabindex=\"0\">" + text + "</pre>\n";
 }
 
 }  // namespace
@@ -109,8 +116,8 @@ std::string matrix_html(const Rigid3& target_from_source) {
 std::string align_page(const AlignPicture& picture) {
   const AlignReport& report = picture.report;
   const std::vector<Chart> charts = convergence_charts(picture);
-  std::string side = section_html("Verdict", verdict_html(report.result));
-  side += section_html("T_target_source", matrix_html(report.result.target_from_source));
+  std::string side = section_html("Verdict", verdict_html(report));
+  side += section_html("Transform from source to target", matrix_html(report.result.target_from_source));
   side += section_html("Convergence", figures_html(charts));
   side += details_html("Options", html_list(options_texts(effective_options(report))));
   const std::string body =

@@ -52,8 +52,11 @@ AxisRange y_range_of(const Chart& chart) {
   for (const ChartSeries& series : chart.series)
     for (const std::vector<double>* part : {&series.y, &series.low, &series.high})
       values.insert(values.end(), part->begin(), part->end());
-  return range_of(values, chart.log_y);
+  const AxisRange range = range_of(values, chart.log_y);
+  return chart.log_y ? range : AxisRange{std::min(range.low, 0.0), std::max(range.high, 0.0)};
 }
+
+std::string y_label_of(const Chart& chart) { return chart.y_label + (chart.log_y ? ", logarithmic" : ""); }
 
 void choose_scale(Chart& chart) {
   chart.log_y = true;
@@ -64,7 +67,7 @@ void choose_scale(Chart& chart) {
 std::string chart_svg(const Chart& chart) {
   PlotArea area{range_of(chart.x, false), chart.y_range.value_or(y_range_of(chart)), chart.log_y};
   area.whole_x = std::all_of(chart.x.begin(), chart.x.end(), is_whole);
-  std::string content = axes_svg(area, chart.x_label, chart.y_label);
+  std::string content = axes_svg(area, chart.x_label, y_label_of(chart));
   for (std::size_t i = 0; i < chart.series.size(); ++i) content += band(area, chart.x, chart.series[i], i);
   for (std::size_t i = 0; i < chart.series.size(); ++i) content += curve(area, chart.x, chart.series[i].y, i);
   return svg(area, chart.title, content);

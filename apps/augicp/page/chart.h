@@ -23,14 +23,18 @@ struct Chart {
   std::vector<double> x{};  // ascending
   std::vector<ChartSeries> series{};
   std::optional<AxisRange> y_range{};  // empty: the range of the series
+  std::string meaning{};               // a sentence on what is drawn
 };
 
 // Makes the axis logarithmic if the values span more than a power of ten, else linear: a logarithmic axis would then
 // have hardly a number.
 void choose_scale(Chart& chart);
 
-// The range of all series, bands included.
+// The range of all series, bands included. A linear axis includes zero.
 AxisRange y_range_of(const Chart& chart);
+
+// The label of the axis, which says so if the axis has no zero.
+std::string y_label_of(const Chart& chart);
 
 std::string chart_svg(const Chart& chart);
 

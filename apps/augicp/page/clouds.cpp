@@ -2,17 +2,21 @@
 #include "apps/augicp/page/clouds.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "apps/augicp/page/packing.h"
 #include "apps/augicp/page/parts.h"
+#include "apps/augicp/page/surface_distances.h"
 #include "apps/augicp/page/thinning.h"
 
 namespace augicp::app {
 namespace {
 
-// Limit per cloud: two are drawn smoothly on a laptop, and take about 6 MB of a file.
-constexpr std::size_t kMaxPoints = 100'000;
+// Limit per cloud, and of the bytes of both in a page: the rest of it, with the script, stays below a megabyte.
+constexpr std::size_t kMaxPoints = 1'000'000;
+constexpr std::size_t kMaxBytes = 14'000'000;
+
+// More lines between points would be a solid block.
+constexpr std::size_t kMaxPairs = 2500;
 
 template <typename Value>
 std::vector<Value> chosen(const std::vector<Value>& values, const std::vector<std::uint32_t>& indices) {
@@ -25,6 +29,7 @@ nlohmann::ordered_json cloud_json(const Cloud& cloud, const std::vector<std::uin
   std::vector<Vec3f> points = chosen(cloud.points, indices);
   for (Vec3f& point : points) point -= centre;
   nlohmann::ordered_json json{{"points", packed_points(points)}};
+  if (cloud.has_intensities()) json["intensities"] = packed_numbers(chosen(cloud.intensities, indices));
   if (!cloud.has_directions()) return json;
   std::vector<std::uint8_t> structures;
   for (const Structure structure : chosen(cloud.structures, indices))
@@ -34,14 +39,16 @@ nlohmann::ordered_json cloud_json(const Cloud& cloud, const std::vector<std::uin
   return json;
 }
 
-// In the page's frame, one per source point; NaN if there is none.
-std::vector<Vec3f> partners_of(const AlignPicture& picture, const Vec3f& centre) {
+std::string pairs_of(const AlignPicture& picture, const Vec3f& centre) {
   const Scan &source = picture.prepared.source, &target = picture.prepared.target;
-  std::vector<Vec3f> partners(source.cloud.size(), Vec3f::Constant(std::numeric_limits<float>::quiet_NaN()));
-  if (!has_pose(picture.report.result.status)) return partners;
-  for (const Correspondence& pair : picture.report.result.pairs)
-    partners[pair.source] = target.cloud.points[pair.target] - centre;
-  return partners;
+  const std::vector<Correspondence>& pairs = picture.report.result.pairs;
+  std::vector<Vec3f> ends;
+  if (!has_pose(picture.report.result.status)) return {};
+  for (const std::uint32_t i : thinned_indices(pairs.size(), kMaxPairs)) {
+    ends.push_back(source.cloud.points[pairs[i].source]);
+    ends.push_back(target.cloud.points[pairs[i].target] - centre);
+  }
+  return packed_points(ends);
 }
 
 double sane(double length) { return length > 1e-9 && length < 1e9 ? length : 1.0; }
@@ -66,12 +73,40 @@ Rigid3 page_from_source(const CloudFrame& frame, const Rigid3& target_from_sourc
   return pose;
 }
 
-PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame) {
+namespace {
+
+std::size_t num_bytes(const nlohmann::ordered_json& cloud) {
+  std::size_t sum = 0;
+  for (const auto& array : cloud) sum += array.get_ref<const std::string&>().size();
+  return sum;
+}
+
+PairedClouds with_at_most(std::size_t max_points, const AlignPicture& picture, const CloudFrame& frame,
+                          const SurfaceDistances& distances) {
   const Cloud &source = picture.prepared.source.cloud, &target = picture.prepared.target.cloud;
-  const auto source_indices = thinned_indices(source.size(), kMaxPoints);
+  const auto source_indices = thinned_indices(source.size(), max_points);
   PairedClouds clouds{cloud_json(source, source_indices, Vec3f::Zero()),
-                      cloud_json(target, thinned_indices(target.size(), kMaxPoints), frame.centre)};
-  clouds.source["partners"] = packed_points(chosen(partners_of(picture, frame.centre), source_indices));
+                      cloud_json(target, thinned_indices(target.size(), max_points), frame.centre),
+                      {}};
+  clouds.source["distances"] = packed_numbers(chosen(distances.metres, source_indices));
+  clouds.source["distance_directions"] = packed_directions(chosen(distances.directions, source_indices));
+  return clouds;
+}
+
+}  // namespace
+
+PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame) {
+  const SurfaceDistances distances = surface_distances(picture);
+  const std::size_t largest = std::max(picture.prepared.source.cloud.size(), picture.prepared.target.cloud.size());
+  std::size_t max_points = std::min(kMaxPoints, largest);
+  PairedClouds clouds = with_at_most(max_points, picture, frame, distances);
+  // Fewer points take less each, or a little more: 0.95 makes a second round rare.
+  for (std::size_t bytes = 0; (bytes = num_bytes(clouds.source) + num_bytes(clouds.target)) > kMaxBytes;) {
+    max_points = static_cast<std::size_t>(0.95 * static_cast<double>(max_points) * static_cast<double>(kMaxBytes) /
+                                          static_cast<double>(bytes));
+    clouds = with_at_most(max_points, picture, frame, distances);
+  }
+  clouds.pairs = pairs_of(picture, frame.centre);
   return clouds;
 }
 

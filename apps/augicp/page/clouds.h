@@ -21,9 +21,11 @@ CloudFrame frame_of(const Scan& source, const Scan& target);
 // For the source's points as stored, without their origin.
 Rigid3 page_from_source(const CloudFrame& frame, const Rigid3& target_from_source);
 
-// Both clouds, and each source point's partner under the final pose.
+// Both clouds; the source's points with their signed distances from the target's surface under the final pose, and the
+// direction in which each is measured.
 struct PairedClouds {
   nlohmann::ordered_json source, target;
+  std::string pairs;  // some correspondences: a source point and its target point in the page, in turn
 };
 PairedClouds paired_clouds(const AlignPicture& picture, const CloudFrame& frame);
 

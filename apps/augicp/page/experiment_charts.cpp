@@ -87,7 +87,7 @@ std::vector<Quantity> basin_quantities(const std::vector<BasinCell>& cells) {
 }
 
 std::vector<Quantity> verdict_quantities(std::span<const VerdictPair> pairs) {
-  Chart chart{"Results that other limits would accept and refuse", "largest strain accepted", "%"};
+  Chart chart{"Results that other limits would accept and refuse", "largest value accepted, in limits", "%"};
   chart.y_range = AxisRange{0.0, 100.0};
   // The curve has a point at each strain of a pair; beyond this limit it is constant.
   constexpr double kMaxStrain = 10.0;

@@ -19,6 +19,7 @@ void share_range(Quantity& quantity) {
   for (Chart& chart : quantity.charts) {
     chart.y_range = all;
     if (chart.log_y) choose_scale(chart);
+    if (!chart.log_y) chart.y_range->low = std::min(all.low, 0.0);
   }
 }
 
@@ -40,9 +41,17 @@ std::string confusion_html(const std::vector<ConfusionRow>& rows) {
                                     row.num_iteration_limit, row.num_failed, row.num_converged_without_verdict})
       cells.back().push_back(std::to_string(count));
   }
-  return section_html("Pairs by truth and status", html_table({"truth", "pairs", "converged", "doubtful", "degenerate",
-                                                               "iteration limit", "failed", "loop alone: converged"},
-                                                              cells));
+  return section_html("Pairs by truth and status",
+                      html_table({{"truth", "Whether the pose that was found is right, by the known one."},
+                                  "pairs",
+                                  "converged",
+                                  "doubtful",
+                                  "degenerate",
+                                  "iteration limit",
+                                  "failed",
+                                  {"converged without evidence",
+                                   "Pairs whose steps became small, whatever the clouds say of the pose."}},
+                                 cells));
 }
 
 std::string experiment_page(const std::vector<std::string>& lines, std::vector<Quantity> quantities,

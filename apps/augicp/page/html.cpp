@@ -25,12 +25,17 @@ std::string escaped(char c) {
   return is_control ? "\xef\xbf\xbd" : std::string(1, c);
 }
 
-std::string cells(const std::vector<std::string>& texts, const char* first, const char* others) {
+// A scrolling table would cut what html_explained() shows.
+std::string heading(const Heading& heading) {
+  const std::string name = escaped_html(heading.name);
+  if (heading.meaning.empty()) return "<th>" + name + "</th>";
+  return "<th><abbr title=\"" + escaped_html(heading.meaning) + "\">" + name + "</abbr></th>";
+}
+
+std::string row_html(const std::vector<std::string>& texts) {
   std::string row = "<tr>";
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const std::string tag = i == 0 ? first : others;
-    row += "<" + tag + ">" + escaped_html(texts[i]) + "</" + tag.substr(0, 2) + ">";
-  }
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    row += (i == 0 ? "<th scope=\"row\">" : "<td>") + escaped_html(texts[i]) + (i == 0 ? "</th>" : "</td>");
   return row + "</tr>\n";
 }
 
@@ -69,9 +74,25 @@ std::string html_list(const NamedTexts& rows) {
   return html + "</dl>\n";
 }
 
-std::string html_table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows) {
-  std::string html = "<div class=\"scroll\"><table>\n<thead>" + cells(headings, "th", "th") + "</thead>\n<tbody>";
-  for (const std::vector<std::string>& row : rows) html += cells(row, "th scope=\"row\"", "td");
+std::string html_explained(const std::string& name, const std::string& meaning) {
+  if (meaning.empty()) return escaped_html(name);
+  return "<span class=\"explained\" tabindex=\"0\">" + escaped_html(name) + "<span class=\"meaning\" role=\"note\">" +
+         escaped_html(meaning) + "</span></span>";
+}
+
+std::string html_facts(const std::vector<Fact>& facts) {
+  std::string html = "<dl>\n";
+  for (const Fact& fact : facts)
+    html +=
+        "<div><dt>" + html_explained(fact.name, fact.meaning) + "</dt><dd>" + escaped_html(fact.text) + "</dd></div>\n";
+  return html + "</dl>\n";
+}
+
+std::string html_table(const std::vector<Heading>& headings, const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<div class=\"scroll\"><table>\n<thead><tr>";
+  for (const Heading& one : headings) html += heading(one);
+  html += "</tr>\n</thead>\n<tbody>";
+  for (const std::vector<std::string>& row : rows) html += row_html(row);
   return html + "</tbody></table></div>\n";
 }
 

@@ -20,7 +20,21 @@ std::string json_in_html(std::string_view json);
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 std::string html_list(const NamedTexts& rows);
 
+// A value, and what it means in a sentence, which shows at the pointer, with the focus, and to screen readers.
+struct Fact {
+  std::string name, text, meaning;
+};
+std::string html_facts(const std::vector<Fact>& facts);
+
+// A name followed by its meaning, as in a fact.
+std::string html_explained(const std::string& name, const std::string& meaning);
+
 // With a row of headings; the first column is a name, the others are numbers.
-std::string html_table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows);
+struct Heading {
+  std::string name, meaning;
+  Heading(std::string text, std::string sentence = {}) : name(std::move(text)), meaning(std::move(sentence)) {}
+  Heading(const char* text) : name(text) {}
+};
+std::string html_table(const std::vector<Heading>& headings, const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace augicp::app

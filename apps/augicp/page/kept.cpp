@@ -62,8 +62,9 @@ std::string packed_depth(const SmallImage& image, float far) {
 
 nlohmann::ordered_json frame_json(const OdometryPicture& picture, std::size_t row, float& far) {
   const FrameRow& frame = picture.run.rows[row];
-  const std::optional<SmallImage> image = read_small(picture.sequence.frames[frame.frame].path, picture.depth_scale);
-  nlohmann::ordered_json json{{"frame", row}, {"width", 0}, {"height", 0}};
+  nlohmann::ordered_json json{{"frame", row}, {"width", 0}, {"height", 0}, {"text", ""}};
+  if (picture.is_lidar()) return json;
+  const std::optional<SmallImage> image = read_small(picture.sequence->frames[frame.frame].path, picture.depth_scale);
   if (image && far == 0.0f) far = far_depth(*image);
   if (!image || far == 0.0f) {
     json["text"] = fmt::format("Frame {}: no depth image", frame.frame);
@@ -76,8 +77,9 @@ nlohmann::ordered_json frame_json(const OdometryPicture& picture, std::size_t ro
   return json;
 }
 
-// A depth camera's cloud has no origin but zero.
+// A sensor's cloud has no origin but zero.
 nlohmann::ordered_json model_json(const Cloud& cloud) {
+  if (!cloud.has_directions()) return {{"points", packed_points(cloud.points)}};
   std::vector<std::uint8_t> structures;
   for (const Structure structure : cloud.structures) structures.push_back(static_cast<std::uint8_t>(structure));
   return {{"points", packed_points(cloud.points)},
@@ -90,6 +92,14 @@ nlohmann::ordered_json model_json(const Cloud& cloud) {
 std::vector<std::uint32_t> kept_rows(std::size_t num_rows) {
   const std::size_t taken = std::min(kBudget - 1, num_rows / kFramesPerKept);
   return thinned_indices(num_rows, std::min(kMaxKept, kBudget - taken));
+}
+
+KeptModel kept_scan(std::size_t row, const Rigid3& world_from_sensor, const Cloud& scan) {
+  KeptModel kept{row, world_from_sensor, {}};
+  const Vec3f origin = scan.origin.cast<float>();
+  for (const std::uint32_t i : thinned_indices(scan.size(), kMaxModelPoints))
+    kept.cloud.points.push_back(scan.points[i] + origin);
+  return kept;
 }
 
 KeptModel kept_model(std::size_t row, const Odometry& odometry) {

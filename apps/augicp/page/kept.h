@@ -11,6 +11,9 @@ namespace augicp::app {
 
 KeptModel kept_model(std::size_t row, const Odometry& odometry);
 
+// A LiDAR's scan in its sensor's frame.
+KeptModel kept_scan(std::size_t row, const Rigid3& world_from_sensor, const Cloud& scan);
+
 // The rows with a depth image and local model in the page, ascending: all of a short run; of a long one a number that
 // keeps the file below 15 MB.
 std::vector<std::uint32_t> kept_rows(std::size_t num_rows);

@@ -7,6 +7,7 @@
 #include "apps/augicp/page/odometry_view.h"
 #include "apps/augicp/page/parts.h"
 #include "apps/augicp/page/status_strip.h"
+#include "apps/augicp/text/evaluation.h"
 #include "augicp/core/angles.h"
 
 namespace augicp::app {
@@ -17,9 +18,11 @@ double seconds(const OdometryRun& run, double stamp_s) { return stamp_s - run.ro
 std::vector<Chart> error_charts(const OdometryPicture& picture) {
   const EvaluationOptions& options = picture.run.evaluation->options;
   const std::vector<MatchedPose> poses =
-      match_poses(trajectory_of(picture.run), *picture.sequence.truth, options.association, options.truth);
+      match_poses(trajectory_of(picture.run), *picture.sequence->truth, options.association, options.truth);
   const PoseErrors errors = absolute_errors(poses, picture.run.evaluation->alignment.target_from_source);
   Chart position{"Position error, after alignment", "time, s", "m"}, rotation{"Rotation error", "time, s", "degrees"};
+  position.meaning = "Distance of each position from the true one, after one rigid motion of the whole trajectory.";
+  rotation.meaning = "Angle between each rotation and the true one, after the same motion.";
   position.series = {{"position error, m", errors.translation}};
   rotation.series = {{"rotation error, degrees", errors.rotation}};
   for (double& angle : rotation.series[0].y) angle *= kDegPerRad;
@@ -32,9 +35,12 @@ std::vector<Chart> error_charts(const OdometryPicture& picture) {
 
 std::vector<Chart> charts_of(const OdometryPicture& picture) {
   std::vector<Chart> charts;
-  if (picture.run.evaluation) charts = error_charts(picture);
-  Chart overlap{"Readings with a partner in the local model", "time, s", "%"};
-  Chart distance{"RMS distance of the pairs", "time, s", "mm"};
+  if (picture.run.evaluation && picture.sequence) charts = error_charts(picture);
+  const std::string model = picture.is_lidar() ? "map" : "local model";
+  Chart overlap{"Overlap with the " + model, "time, s", "%"};
+  Chart distance{"RMS distance of correspondences", "time, s", "mm"};
+  overlap.meaning = "The part of a frame's points that have a correspondence in the " + model + ".";
+  distance.meaning = "From point to point. It is mostly the spacing of the points, not an error of the pose.";
   overlap.series = {{"overlap, %"}};
   distance.series = {{"RMS, mm"}};
   overlap.y_range = AxisRange{0.0, 100.0};
@@ -60,7 +66,12 @@ nlohmann::ordered_json frames_json(const OdometryRun& run, const OdometryView& v
     std::string text = fmt::format("Frame {}, {:.2f} s: {}", row.frame, time_s, name_of(report.status));
     if (report.is_keyframe) text += ", keyframe";
     if (!report.problem.empty()) text += ": " + report.problem;
-    nlohmann::ordered_json frame{{"text", text}, {"time", time_s}, {"pose", nullptr}, {"top", nullptr}};
+    nlohmann::ordered_json frame{{"text", text},
+                                 {"time", time_s},
+                                 {"pose", nullptr},
+                                 {"top", nullptr},
+                                 {"status", status_class(report.status)},
+                                 {"segment", report.segment}};
     if (has_pose(report.status)) {
       const Rigid3 pose = view.page_from(report.world_from_camera);
       const Eigen::Vector2d top = view.from_above(pose.translation);
@@ -86,20 +97,28 @@ std::string errors_html(const Evaluation& evaluation) {
     rows.push_back(table_row(name + ", m", errors.translation, 1.0));
     rows.push_back(table_row(name + ", °", errors.rotation, kDegPerRad));
   };
-  if (evaluation.aligned) add("ATE aligned", *evaluation.aligned);
-  if (evaluation.relative) add("RPE", *evaluation.relative);
-  add("ATE not aligned", evaluation.absolute);
-  return fmt::format("<p>{} of {} poses have a true one of the same moment.</p>\n", evaluation.num_matched,
-                     evaluation.num_estimate) +
-         html_table({"", "rmse", "mean", "median", "std", "max"}, rows);
+  if (evaluation.aligned) add("Whole trajectory (ATE)", *evaluation.aligned);
+  if (evaluation.relative) add("From frame to frame (RPE)", *evaluation.relative);
+  std::string html = fmt::format("<p>{} of {} poses have a true one of the same moment.</p>\n", evaluation.num_matched,
+                                 evaluation.num_estimate);
+  if (shares_frame(evaluation))
+    add("Without alignment", evaluation.absolute);
+  else
+    html += "<p>The two trajectories are in different frames. Errors are measured after alignment.</p>\n";
+  return html + html_table({"",
+                            {"RMSE", "Root of the mean squared error."},
+                            {"mean", "The mean error."},
+                            {"median", "Half of the errors are smaller."},
+                            {"std", "Standard deviation of the errors about their mean."},
+                            {"max", "The largest error."}},
+                           rows);
 }
 
 std::string kept_text(const OdometryPicture& picture) {
   if (picture.models.size() == picture.run.rows.size()) return {};
-  return fmt::format(
-      "<p>Depth image and local model are kept for {} of {} frames; the last one before the frame chosen is "
-      "shown.</p>\n",
-      picture.models.size(), picture.run.rows.size());
+  return fmt::format("<p>{} kept for {} of {} frames; the last one before the frame chosen is shown.</p>\n",
+                     picture.is_lidar() ? "Scans are" : "Depth image and local model are", picture.models.size(),
+                     picture.run.rows.size());
 }
 
 std::string side_html(const OdometryPicture& picture, const OdometryView& view, const std::vector<Chart>& charts) {
@@ -116,13 +135,14 @@ std::string side_html(const OdometryPicture& picture, const OdometryView& view, 
 
 PageHead head_of(const OdometryRun& run) {
   const bool is_good = mostly_tracked(run) && num_segments(run) == 1;
-  PageHead head{"Odometry",
+  PageHead head{run.point_times.empty() ? "Odometry" : "LiDAR odometry",
                 is_good                 ? "tracked"
                 : num_segments(run) > 1 ? "lost in between"
                                         : "hardly tracked",
                 is_good ? "good" : "warn",
                 {"Sequence: " + run.sequence}};
   head.lines.push_back(fmt::format("{} frames, {} with a pose", run.rows.size(), trajectory_of(run).size()));
+  if (!run.point_times.empty()) head.lines.push_back("Times of the points: " + run.point_times);
   return head;
 }
 
@@ -135,7 +155,8 @@ std::string odometry_page(const OdometryPicture& picture) {
                            side_html(picture, view, charts) + "</div>\n</main>\n";
   nlohmann::ordered_json data{{"frames", frames_json(picture.run, view)},
                               {"kept", kept_json(picture, view)},
-                              {"estimate", estimate_lines(picture.run, view)},
+                              {"lidar", picture.is_lidar()},
+                              {"has_truth", !view.truth.empty()},
                               {"truth", truth_lines(view)},
                               {"extent", view.extent},
                               {"view", camera_json(view)}};

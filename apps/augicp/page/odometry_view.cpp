@@ -34,11 +34,14 @@ Vec3d nearest_axis(const Vec3d& direction) {
   return Vec3d::Unit(axis) * (direction[axis] < 0.0 ? -1.0 : 1.0);
 }
 
-void orient(OdometryView& view, const Trajectory& in_truth) {
+// A camera looks along z with y down; a LiDAR has z up, and x ahead.
+void orient(OdometryView& view, const Trajectory& in_truth, bool is_lidar) {
+  const Vec3d own_up = is_lidar ? Vec3d(Vec3d::UnitZ()) : Vec3d(-Vec3d::UnitY());
+  const Vec3d own_ahead = is_lidar ? Vec3d(Vec3d::UnitX()) : Vec3d(Vec3d::UnitZ());
   Vec3d up = Vec3d::Zero(), looks = Vec3d::Zero();
   for (const StampedPose& pose : in_truth) {
-    up -= pose.world_from_camera.rotation * Vec3d::UnitY();
-    looks += pose.world_from_camera.rotation * Vec3d::UnitZ();
+    up += pose.world_from_camera.rotation * own_up;
+    looks += pose.world_from_camera.rotation * own_ahead;
   }
   if (up.norm() > 0.0) view.up = nearest_axis(up);
   view.ahead = std::abs(view.up.z()) > 0.5 ? Vec3d::UnitY() : Vec3d::UnitZ();
@@ -64,32 +67,19 @@ OdometryView view_of(const OdometryPicture& picture) {
   OdometryView view;
   const OdometryRun& run = picture.run;
   Trajectory estimate = trajectory_of(run);
-  if (run.evaluation) {
+  if (run.evaluation && picture.sequence) {
     view.truth_from_world = run.evaluation->alignment.target_from_source;
-    view.truth = during(*picture.sequence.truth, estimate, run.evaluation->options.association.time_offset_s);
+    view.truth = during(*picture.sequence->truth, estimate, run.evaluation->options.association.time_offset_s);
   }
   for (StampedPose& pose : estimate) pose.world_from_camera = view.truth_from_world * pose.world_from_camera;
   if (estimate.empty()) return view;
-  orient(view, estimate);
+  orient(view, estimate, picture.is_lidar());
   Eigen::AlignedBox3d box;
   for (const StampedPose& pose : estimate) box.extend(pose.world_from_camera.translation);
   view.centre = box.center();
   const double least = 0.3;  // for a camera that hardly moved, show the surroundings
   view.extent = std::clamp(box.diagonal().norm(), least, 1e6);
   return view;
-}
-
-std::string estimate_lines(const OdometryRun& run, const OdometryView& view) {
-  std::vector<Vec3f> lines;
-  const FrameReport* last = nullptr;
-  for (const FrameRow& row : run.rows) {
-    if (!has_pose(row.report.status)) continue;
-    if (last && last->segment == row.report.segment)
-      add_line(lines, view.page_from(last->world_from_camera).translation,
-               view.page_from(row.report.world_from_camera).translation);
-    last = &row.report;
-  }
-  return packed_points(lines);
 }
 
 std::string truth_lines(const OdometryView& view) {

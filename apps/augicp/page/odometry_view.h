@@ -27,8 +27,7 @@ struct OdometryView {
 };
 OdometryView view_of(const OdometryPicture& picture);
 
-// Consecutive positions of one segment, two points per line, as packed numbers in the page's frame.
-std::string estimate_lines(const OdometryRun& run, const OdometryView& view);
+// Consecutive true positions, two points per line, as packed points in the page's frame.
 std::string truth_lines(const OdometryView& view);
 
 nlohmann::ordered_json camera_json(const OdometryView& view);

@@ -9,12 +9,14 @@
 #include "apps/augicp/page/base64.h"
 #include "apps/augicp/page/chart.h"
 #include "apps/augicp/page/html.h"
+#include "apps/augicp/page/length_text.h"
 #include "apps/augicp/page/packing.h"
 #include "apps/augicp/page/thinning.h"
 
 namespace augicp::app {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
@@ -31,12 +33,23 @@ TEST(Base64, IsThatOfTheStandard) {
   EXPECT_EQ(base64_of("\xff\xfb\xf0"), "//vw");
 }
 
-TEST(Packing, IsLittleEndianFloatsAndSignedBytes) {
-  const Vec3f point(1.0f, 0.0f, -2.0f);
-  EXPECT_EQ(packed_points(std::span(&point, 1)), base64_of({"\0\0\x80\x3f\0\0\0\0\0\0\0\xc0", 12}));
-  const Vec3f directions[] = {{1.0f, 0.0f, -1.0f}, {static_cast<float>(kNaN), 7.0f, 0.5f}};
-  EXPECT_EQ(packed_directions(directions), base64_of({"\x7f\x00\x81\x00\x7f\x40", 6}));
-  EXPECT_EQ(packed_points({}), "");
+TEST(Packing, NothingIsSomethingToo) {
+  EXPECT_FALSE(packed_points({}).empty());
+  EXPECT_EQ(packed_bytes({}), packed_directions({}));
+}
+
+TEST(Packing, TheSameNumbersGiveTheSameText) {
+  const std::vector<Vec3f> points(3000, Vec3f(1.0f, -2.0f, 3.0f));
+  EXPECT_EQ(packed_points(points), packed_points(points));
+  EXPECT_LT(packed_points(points).size(), 300u);
+}
+
+TEST(Packing, SurvivesAnyNumbers) {
+  const float huge = std::numeric_limits<float>::max();
+  const std::vector<Vec3f> points = {{0, 0, 0}, {huge, -huge, 1.0f}, {1e30f, 1e-30f, 5.0f}};
+  EXPECT_FALSE(packed_points(points).empty());
+  const std::vector<float> values = {static_cast<float>(kNaN), static_cast<float>(kInf), huge, 0.0f};
+  EXPECT_FALSE(packed_numbers(values).empty());
 }
 
 TEST(Thinning, KeepsAllOfFew) {
@@ -65,6 +78,40 @@ TEST(Html, TextStaysText) {
             "b\xef\xbf\xbd");
   EXPECT_THAT(html_list({{"<b>", "</dd>"}}), HasSubstr("<dt>&lt;b&gt;</dt><dd>&lt;/dd&gt;</dd>"));
   EXPECT_THAT(html_table({"<i>"}, {{"<u>", "<s>"}}), HasSubstr("<th scope=\"row\">&lt;u&gt;</th><td>&lt;s&gt;</td>"));
+}
+
+TEST(Html, AFactHasItsMeaningWithIt) {
+  EXPECT_THAT(html_facts({{"<b>", "</dd>", "<i>"}}),
+              AllOf(HasSubstr("&lt;b&gt;<span"), HasSubstr(">&lt;i&gt;</span>"), HasSubstr("<dd>&lt;/dd&gt;</dd>")));
+  EXPECT_EQ(html_explained("a & b", ""), "a &amp; b");
+}
+
+TEST(LengthText, HasTheUnitInWhichTheNumberIsAtLeastOne) {
+  for (const auto& [length_m, text] : std::vector<std::pair<double, std::string>>{{1234.5, "1.23 km"},
+                                                                                  {1.0, "1 m"},
+                                                                                  {0.999, "99.9 cm"},
+                                                                                  {-0.0123, "-1.23 cm"},
+                                                                                  {0.0042, "4.2 mm"},
+                                                                                  {2e-6, "2 µm"},
+                                                                                  {3e-9, "0.003 µm"},
+                                                                                  {0.0, "0 m"}}) {
+    std::string plain = length_text(length_m);
+    plain.replace(plain.find("\xc2\xa0"), 2, " ");
+    EXPECT_EQ(plain, text);
+  }
+}
+
+TEST(Charts, LinearAxesIncludeZeroAndOthersSayTheyDoNot) {
+  Chart chart{"t", "x", "count"};
+  chart.series = {{"s", {90.0, 100.0}}};
+  EXPECT_EQ(y_range_of(chart).low, 0.0);
+  EXPECT_EQ(y_label_of(chart), "count");
+  chart.series = {{"s", {-90.0, -80.0}}};
+  EXPECT_EQ(y_range_of(chart).high, 0.0);
+  chart.log_y = true;
+  chart.series = {{"s", {90.0, 1000.0}}};
+  EXPECT_EQ(y_range_of(chart).low, 90.0);
+  EXPECT_EQ(y_label_of(chart), "count, logarithmic");
 }
 
 TEST(Html, JsonCannotLeaveItsElementAndSaysTheSame) {

@@ -33,7 +33,7 @@ nlohmann::ordered_json chart_json(const Chart& chart) {
   const AxisRange range = chart.y_range.value_or(y_range_of(chart));
   nlohmann::ordered_json series = nlohmann::ordered_json::array();
   for (const ChartSeries& one : chart.series) series.push_back(series_json(one));
-  return {{"title", chart.title}, {"x_label", chart.x_label}, {"y_label", chart.y_label},
+  return {{"title", chart.title}, {"x_label", chart.x_label}, {"y_label", y_label_of(chart)},
           {"log_y", chart.log_y}, {"x", shortened(chart.x)},  {"y_range", {range.low, range.high}},
           {"series", series}};
 }
@@ -59,7 +59,7 @@ std::string details_html(const std::string& title, const std::string& content) {
 
 std::string figure_html(const Chart& chart, std::size_t number) {
   return fmt::format("<figure data-chart=\"{}\"><figcaption>{}</figcaption>\n{}</figure>\n", number,
-                     escaped_html(chart.title), chart_svg(chart));
+                     html_explained(chart.title, chart.meaning), chart_svg(chart));
 }
 
 std::string figures_html(std::span<const Chart> charts, std::size_t first_number) {

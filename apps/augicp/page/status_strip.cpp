@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kWidth = 1000.0, kHeight = 26.0, kKeyframeHeight = 7.0;
 
-// The name in the style sheet: all frames without usable readings have the same one.
-std::string class_of(FrameStatus status) {
-  const bool is_other =
-      status == FrameStatus::NoReadings || status == FrameStatus::OutOfOrder || status == FrameStatus::Unreadable;
-  return is_other ? "other" : std::string(name_of(status));
-}
-
 std::string bar(const std::string& style, double x, double y, double width) {
   return fmt::format("<rect class=\"{}\" x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\"/>\n", style, x, y,
                      width, kHeight - y);
@@ -25,7 +18,7 @@ std::string bar(const std::string& style, double x, double y, double width) {
 
 std::string bars(const OdometryRun& run) {
   const double per_frame = kWidth / static_cast<double>(run.rows.size());
-  const auto at = [&](std::size_t i) { return class_of(run.rows[i].report.status); };
+  const auto at = [&](std::size_t i) { return status_class(run.rows[i].report.status); };
   std::string content;
   for (std::size_t begin = 0, end = 0; begin < run.rows.size(); begin = end) {
     for (end = begin + 1; end < run.rows.size() && at(end) == at(begin);) ++end;
@@ -52,11 +45,17 @@ std::string key_html(const OdometryRun& run) {
   }
   std::string html = "<p class=\"legend\">";
   for (const auto& [status, count] : counts)
-    html += key(class_of(status), fmt::format("{} {}", count, name_of(status)));
+    html += key(status_class(status), fmt::format("{} {}", count, name_of(status)));
   return html + key("keyframe", fmt::format("{} keyframes", num_keyframes)) + "</p>\n";
 }
 
 }  // namespace
+
+std::string status_class(FrameStatus status) {
+  const bool is_other =
+      status == FrameStatus::NoReadings || status == FrameStatus::OutOfOrder || status == FrameStatus::Unreadable;
+  return is_other ? "other" : std::string(name_of(status));
+}
 
 std::string strip_html(const OdometryRun& run) {
   return key_html(run) + fmt::format(

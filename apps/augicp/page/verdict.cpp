@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "apps/augicp/page/length_text.h"
 #include "apps/augicp/text/options_json.h"
 #include "augicp/core/angles.h"
 #include "augicp/registration/option_table.h"
@@ -58,21 +59,57 @@ std::vector<std::string> sentences(const AlignResult& result) {
   return texts;
 }
 
-std::string both(double one, double other) { return fmt::format("{:.1f} % / {:.1f} %", 100.0 * one, 100.0 * other); }
+constexpr const char* kNoBreakSpace = "\xc2\xa0";
 
-void add_evidence(NamedTexts& rows, const Evidence& evidence) {
-  const Testimony &one = evidence.source_in_target, &other = evidence.target_in_source;
-  rows.emplace_back("Seen by the other (source / target)", both(one.seen(), other.seen()));
-  rows.emplace_back("On its surface (of those seen)", both(one.agreeing(), other.agreeing()));
-  if (one.knows_free_space || other.knows_free_space)
-    rows.emplace_back("In its free space (of those seen)", both(one.conflicting(), other.conflicting()));
-  rows.emplace_back("Strain (above 1: doubtful)", fmt::format("{:.2f}", strain(evidence)));
+std::string percent(double share) { return fmt::format("{:.1f}{}%", 100.0 * share, kNoBreakSpace); }
+
+std::string both(double source, double target) {
+  return fmt::format("source{0}{1}, target{0}{2}", kNoBreakSpace, percent(source), percent(target));
 }
 
-void add_deviations(NamedTexts& rows, const Mat6d& covariance) {
-  const double translation = std::sqrt(covariance.topLeftCorner<3, 3>().trace());
-  const double rotation = std::sqrt(covariance.bottomRightCorner<3, 3>().trace());
-  rows.emplace_back("Standard deviation", fmt::format("{:.2g} m, {:.2g}°", translation, kDegPerRad * rotation));
+void add_fit(std::vector<Fact>& facts, const Residuals& residuals) {
+  if (residuals.point.count > 0)
+    facts.push_back({"Distance from the target's surface", length_text(residuals.point.median) + " (median)",
+                     "Half of the correspondences are nearer than this to the plane of their target point: noise and "
+                     "misfit together."});
+  if (residuals.normal.count > 0)
+    facts.push_back({"Angle between normals", fmt::format("{:.2g}° (median)", kDegPerRad * residuals.normal.median),
+                     "Half of the correspondences have normals that differ by less."});
+}
+
+void add_evidence(std::vector<Fact>& facts, const Evidence& evidence) {
+  const Testimony &one = evidence.source_in_target, &other = evidence.target_in_source;
+  facts.push_back({"In view of the other sensor", both(one.seen(), other.seen()),
+                   "The part of each cloud that the other sensor should see under this pose."});
+  facts.push_back({"On the other's surface", both(one.agreeing(), other.agreeing()),
+                   "Of the points in view, the part that lies on the other cloud's surface with an agreeing normal. A "
+                   "right pose has nearly all."});
+  if (one.knows_free_space || other.knows_free_space)
+    facts.push_back({"In the other's free space", both(one.conflicting(), other.conflicting()),
+                     "Of the points in view, the part in front of what the other camera saw. It saw through these "
+                     "points, so a right pose has few."});
+  facts.push_back({"Nearest limit", fmt::format("{:.0f}{}% of it", 100.0 * strain(evidence), kNoBreakSpace),
+                   "Each value above has a limit. This is the value that is closest to its limit; above 100 % the pose "
+                   "is doubtful."});
+}
+
+std::vector<Fact> facts_of(const AlignReport& report) {
+  const AlignResult& result = report.result;
+  std::vector<Fact> facts;
+  if (result.evidence) add_fit(facts, result.evidence->residuals);
+  facts.push_back({"Overlap", percent(result.overlap), "The part of the source's points that have a correspondence."});
+  if (const std::optional<Uncertainty> sigma = uncertainty(report))
+    facts.push_back(
+        {"Standard deviation of the pose",
+         fmt::format("{}, {:.2g}°", length_text(sigma->translation), kDegPerRad * sigma->rotation),
+         "The expected error at the target's centre, from the residuals. It does not cover wrong correspondences."});
+  if (result.evidence) add_evidence(facts, *result.evidence);
+  facts.push_back({"Correspondences", fmt::format("{}", result.num_pairs),
+                   "Source points that were matched with a target point in the last iteration."});
+  facts.push_back({"RMS distance of correspondences", length_text(result.rmse),
+                   "From point to point. It is mostly the spacing of the points, not an error of the pose."});
+  facts.push_back({"Iterations", fmt::format("{}", result.iterations), "Steps until the motion was below its limits."});
+  return facts;
 }
 
 }  // namespace
@@ -84,7 +121,8 @@ std::string badge_class(AlignStatus status) {
   return has_no_pose ? "bad" : "warn";
 }
 
-std::string verdict_html(const AlignResult& result) {
+std::string verdict_html(const AlignReport& report) {
+  const AlignResult& result = report.result;
   std::string advice = advice_for(result.status);
   advice.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(advice.front())));
   std::string html = fmt::format("<p><b class=\"{}\">{}</b>. {}.</p>\n", badge_class(result.status),
@@ -93,13 +131,7 @@ std::string verdict_html(const AlignResult& result) {
   if (!texts.empty()) html += "<ul>\n";
   for (const std::string& text : texts) html += "<li>" + escaped_html(text) + "</li>\n";
   if (!texts.empty()) html += "</ul>\n";
-  NamedTexts rows{{"Iterations", fmt::format("{}", result.iterations)},
-                  {"Pairs", fmt::format("{}", result.num_pairs)},
-                  {"Source points with a partner", fmt::format("{:.1f} %", 100.0 * result.overlap)},
-                  {"RMS distance of the pairs", fmt::format("{:.4g} m", result.rmse)}};
-  if (result.evidence) add_evidence(rows, *result.evidence);
-  if (result.covariance) add_deviations(rows, *result.covariance);
-  return html + html_list(rows);
+  return html + html_facts(facts_of(report));
 }
 
 NamedTexts options_texts(const RegistrationOptions& options) {

@@ -10,7 +10,7 @@
 namespace augicp::app {
 
 // HTML: the status, the advice, doubts and free motions as sentences, a table of figures.
-std::string verdict_html(const AlignResult& result);
+std::string verdict_html(const AlignReport& report);
 
 // The colour of the status: good, warn or bad.
 std::string badge_class(AlignStatus status);

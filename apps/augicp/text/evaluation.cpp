@@ -68,16 +68,9 @@ std::string relative_text(const Evaluation& evaluation) {
                      options.consecutive ? ", one after the other" : "");
 }
 
-// Whether both trajectories are in one frame: the alignment then removes drift alone, at most this rotation and this
-// multiple of what remains after it.
+// In one frame the alignment removes drift alone: at most this rotation and this multiple of what remains after it.
 constexpr double kMaxRotationOfDrift_deg = 20.0;
 constexpr double kMaxRatioOfDrift = 10.0;
-bool shares_frame(const Evaluation& evaluation) {
-  if (!evaluation.aligned || !evaluation.alignment.unique) return true;
-  const double angle = rotation_log(evaluation.alignment.target_from_source.motion.rotation).norm();
-  return angle * kDegPerRad < kMaxRotationOfDrift_deg ||
-         evaluation.absolute.translation.rmse < kMaxRatioOfDrift * evaluation.aligned->translation.rmse;
-}
 
 std::string frames_text(const Evaluation& evaluation) {
   const Rigid3& motion = evaluation.alignment.target_from_source.motion;
@@ -86,6 +79,13 @@ std::string frames_text(const Evaluation& evaluation) {
 }
 
 }  // namespace
+
+bool shares_frame(const Evaluation& evaluation) {
+  if (!evaluation.aligned || !evaluation.alignment.unique) return true;
+  const double angle = rotation_log(evaluation.alignment.target_from_source.motion.rotation).norm();
+  return angle * kDegPerRad < kMaxRotationOfDrift_deg ||
+         evaluation.absolute.translation.rmse < kMaxRatioOfDrift * evaluation.aligned->translation.rmse;
+}
 
 std::string evaluation_text(const Evaluation& evaluation) {
   std::string text = fmt::format(

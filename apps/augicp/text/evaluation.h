@@ -9,6 +9,9 @@
 
 namespace augicp::app {
 
+// Whether both trajectories are in one frame: errors without alignment mean something only then.
+bool shares_frame(const Evaluation& evaluation);
+
 // Some lines and a table.
 std::string evaluation_text(const Evaluation& evaluation);
 

@@ -1,102 +1,96 @@
 // SPDX-License-Identifier: MIT
-// A cloud as points on the graphics card: colours and poses change by uniforms, nothing is made or copied while drawing.
-import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from "three";
-import { type CloudData, floats, signedBytes, unsignedBytes } from "./data";
+// A cloud as points on the graphics card: colours, poses and cuts change by uniforms, nothing is made or copied while drawing.
+import { BufferAttribute, BufferGeometry, Color, type DataTexture, Matrix4, Points, ShaderMaterial, type Texture, Vector2, Vector3 } from "three";
+import type { Cloud } from "./cloud";
+import { kFragmentShader, kVertexShader } from "./cloud_shader";
 import { cssColour, onColourScheme } from "./dom";
 
-export enum Colouring {
-  Plain,
-  Structure,
-  Residual,
-}
-
-const kVertexShader = `
-  attribute vec3 direction;
-  attribute float structure;
-  attribute vec3 partner;
-  uniform vec3 plain, planar, edge, none, low, middle, high;
-  uniform float colouring, residualScale, pointSize, pixels;
-  varying vec3 colour;
-
-  vec3 residualColour(float residual) {
-    if (residual > 1e14) return none;
-    float share = clamp(residual / residualScale, 0.0, 1.0);
-    return share < 0.5 ? mix(low, middle, 2.0 * share) : mix(middle, high, 2.0 * share - 1.0);
-  }
-
-  void main() {
-    vec4 inPage = modelMatrix * vec4(position, 1.0);
-    vec4 inView = viewMatrix * inPage;
-    gl_Position = projectionMatrix * inView;
-    gl_PointSize = clamp(pointSize * pixels / max(-inView.z, 1e-6), 1.4 * pixels / 700.0, 5.0 * pixels / 700.0);
-    colour = plain;
-    if (colouring == 1.0) colour = structure == 1.0 ? planar : structure == 2.0 ? edge : none;
-    if (colouring == 2.0) colour = residualColour(distance(inPage.xyz, partner));
-    vec3 normal = mat3(viewMatrix) * mat3(modelMatrix) * direction;
-    float facing = structure == 1.0 ? abs(dot(normalize(normal), normalize(inView.xyz))) : 0.7;
-    colour *= 0.35 + 0.65 * facing;
-  }`;
-
-const kFragmentShader = `
-  varying vec3 colour;
-  void main() {
-    if (length(gl_PointCoord - 0.5) > 0.5) discard;
-    gl_FragColor = vec4(colour, 1.0);
-  }`;
-
-// In place of a partner that is not there: graphics cards need not know NaN.
+// In place of a number that is not there: graphics cards need not know NaN.
 const kFar = 1e15;
-
-const kColours = ["planar", "edge", "none", "low", "middle", "high"] as const;
+const kColours = ["planar", "edge", "none"] as const;
 
 // A colour as it stands in the style sheet; the shader writes it to the screen as it is.
-function raw(name: string): Color {
-  return new Color().setStyle(cssColour(name), "srgb-linear");
-}
+const raw = (name: string): Color => new Color().setStyle(cssColour(name), "srgb-linear");
 
-function geometryOf(cloud: CloudData): BufferGeometry {
-  const points = floats(cloud.points);
-  const count = points.length / 3;
+const known = (values: Float32Array<ArrayBuffer> | null, count: number): Float32Array<ArrayBuffer> =>
+  values ? values.map((value) => (Number.isNaN(value) ? kFar : value)) : new Float32Array(count).fill(kFar);
+
+function geometryOf(cloud: Cloud): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(points, 3));
-  const directions = cloud.directions === undefined ? new Int8Array(3 * count) : signedBytes(cloud.directions);
-  geometry.setAttribute("direction", new BufferAttribute(directions, 3, true));
-  const structures = cloud.structures === undefined ? new Uint8Array(count) : unsignedBytes(cloud.structures);
-  geometry.setAttribute("structure", new BufferAttribute(structures, 1));
-  const partners = cloud.partners === undefined ? new Float32Array(3 * count).fill(kFar) : floats(cloud.partners);
-  partners.forEach((value, i) => { if (Number.isNaN(value)) partners[i] = kFar; });
-  geometry.setAttribute("partner", new BufferAttribute(partners, 3));
+  geometry.setAttribute("position", new BufferAttribute(cloud.points, 3));
+  geometry.setAttribute("direction", new BufferAttribute(cloud.directions, 3, true));
+  geometry.setAttribute("structure", new BufferAttribute(cloud.structures, 1));
+  geometry.setAttribute("intensity", new BufferAttribute(known(cloud.intensities, cloud.count), 1));
+  geometry.setAttribute("offSurface", new BufferAttribute(known(cloud.distances, cloud.count), 1));
+  geometry.setAttribute("offDirection", new BufferAttribute(cloud.distanceDirections ?? new Int8Array(3 * cloud.count), 3, true));
   return geometry;
 }
 
 export class CloudPoints extends Points<BufferGeometry, ShaderMaterial> {
+  private readonly values;
+
   // plainColour: a CSS variable; extent: of what the points fill, metres.
-  constructor(cloud: CloudData, plainColour: string, extent: number, residualScale: number) {
-    const geometry = geometryOf(cloud);
-    const uniforms: Record<string, { value: unknown }> = {
-      colouring: { value: Colouring.Plain },
-      residualScale: { value: residualScale },
-      pointSize: { value: (0.9 * extent) / Math.sqrt(geometry.getAttribute("position").count + 1) }, // about their spacing
-      pixels: { value: 700 * Math.min(window.devicePixelRatio, 2) },
+  constructor(readonly cloud: Cloud, private readonly plainColour: string, extent: number) {
+    const values = {
+      colouring: { value: 0 },
+      range: { value: new Vector2(0, 1) },
+      palette: { value: null as Texture | null },
+      up: { value: new Vector3(0, 0, 1) },
+      finalPose: { value: new Matrix4() },
+      boxLow: { value: new Vector3().setScalar(-kFar) },
+      boxHigh: { value: new Vector3().setScalar(kFar) },
+      pointSize: { value: (0.9 * extent) / Math.sqrt(cloud.count + 1) }, // about their spacing
+      sizeFactor: { value: 1 },
+      pixels: { value: 700 },
+      plain: { value: new Color() },
+      planar: { value: new Color() },
+      edge: { value: new Color() },
+      none: { value: new Color() },
     };
+    super(geometryOf(cloud), new ShaderMaterial({ uniforms: values, vertexShader: kVertexShader, fragmentShader: kFragmentShader }));
+    this.values = values;
     const recolour = (): void => {
-      uniforms["plain"] = Object.assign(uniforms["plain"] ?? {}, { value: raw(plainColour) });
-      for (const name of kColours) uniforms[name] = Object.assign(uniforms[name] ?? {}, { value: raw(`--${name}`) });
+      values.plain.value = raw(this.plainColour);
+      for (const name of kColours) values[name].value = raw(`--${name}`);
     };
     recolour();
     onColourScheme(recolour);
-    super(geometry, new ShaderMaterial({ uniforms, vertexShader: kVertexShader, fragmentShader: kFragmentShader }));
     this.matrixAutoUpdate = false;
     this.frustumCulled = false; // one object, and it is nearly always in view
+    // The height of the picture in its own pixels, so that points cover the same part of it in a file.
+    this.onBeforeRender = (renderer): void => { values.pixels.value = renderer.getDrawingBufferSize(new Vector2()).y; };
   }
 
-  set colouring(value: Colouring) {
-    const uniform = this.material.uniforms["colouring"];
-    if (uniform) uniform.value = value;
+  // code: see kModes; palette: none where no numbers are shown.
+  colour(code: number, palette: DataTexture | null): void {
+    this.values.colouring.value = code;
+    this.values.palette.value = palette;
   }
 
-  set pose(values: readonly number[]) {
-    this.matrix.fromArray(values);
+  set range([low, high]: readonly [number, number]) {
+    this.values.range.value.set(low, high);
+  }
+
+  set upwards(up: Vector3) {
+    this.values.up.value.copy(up);
+  }
+
+  set sizeFactor(factor: number) {
+    this.values.sizeFactor.value = factor;
+  }
+
+  set box({ low, high }: { low: Vector3; high: Vector3 }) {
+    this.values.boxLow.value.copy(low);
+    this.values.boxHigh.value.copy(high);
+  }
+
+  // Under which the distances of the cloud are stored.
+  set finalPose(pose: readonly number[]) {
+    this.values.finalPose.value.fromArray(pose);
+  }
+
+  set pose(pose: readonly number[]) {
+    this.matrix.fromArray(pose);
     this.matrixWorldNeedsUpdate = true;
   }
 }

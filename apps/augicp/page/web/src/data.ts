@@ -20,11 +20,14 @@ export interface ChartData {
   series: SeriesData[];
 }
 
+// Packed arrays; see packed.ts. One entry a point in each.
 export interface CloudData {
-  points: string; // float32, three a point
-  directions?: string; // int8, three a point
-  structures?: string; // uint8: 0 none, 1 planar, 2 edge
-  partners?: string; // float32, three a point, in the page's frame; NaN: none
+  points: string;
+  directions?: string;
+  structures?: string; // 0 none, 1 planar, 2 edge
+  intensities?: string;
+  distances?: string; // from the target's surface under the final pose, metres
+  distance_directions?: string; // in which they are measured, in the page's frame
 }
 
 export interface FreeMotion {
@@ -45,8 +48,9 @@ export interface AlignData {
   poses: Maybe[][]; // 4x4, columns first: from source points to the page's frame; of the guess and after each iteration
   step_texts: string[]; // as many
   zero: [number, number, number]; // of the page, in the target's frame, metres
+  source_zero: [number, number, number]; // the source's origin in its frame, metres
+  pairs: string; // packed points: of the source and of the target in the page, in turn
   extent: number; // metres
-  residual_scale: number; // metres
   direction_length: number; // metres
   free_motions: FreeMotion[];
 }
@@ -56,13 +60,15 @@ export interface FrameData {
   time: Maybe; // seconds since the first
   pose: Maybe[] | null; // 4x4, columns first: from the camera to the page's frame
   top: [number, number] | null; // its place in the top view
+  status: string; // a name in the style sheet
+  segment: number; // poses of different segments have no measured motion between them
 }
 
 export interface KeptFrame {
   frame: number;
   width: number;
   height: number;
-  depth?: string; // uint8 a pixel; 0: no reading, 1: near, 255: far
+  depth?: string; // packed bytes, one a pixel; 0: no reading, 1: near, 255: far
   text: string;
   model?: CloudData;
   model_extent?: number; // metres
@@ -72,8 +78,9 @@ export interface KeptFrame {
 export interface OdometryData {
   frames: FrameData[];
   kept: KeptFrame[];
-  estimate: string; // float32, three a point, two points a line
-  truth: string;
+  lidar: boolean;
+  has_truth: boolean;
+  truth: string; // packed points, two a line
   extent: number;
   view: ViewData;
 }
@@ -88,17 +95,6 @@ export interface ReportData {
 export function readReport(): ReportData {
   return JSON.parse(document.getElementById("report")?.textContent ?? "{}") as ReportData;
 }
-
-function bytes(base64: string): Uint8Array<ArrayBuffer> {
-  const text = atob(base64);
-  const values = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) values[i] = text.charCodeAt(i);
-  return values;
-}
-
-export const floats = (base64: string): Float32Array<ArrayBuffer> => new Float32Array(bytes(base64).buffer);
-export const unsignedBytes = bytes;
-export const signedBytes = (base64: string): Int8Array<ArrayBuffer> => new Int8Array(bytes(base64).buffer);
 
 export function isFinitePose(pose: Maybe[] | null | undefined): pose is number[] {
   return pose?.length === 16 && pose.every((value) => value !== null && Math.abs(value) < 1e30);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A depth image in colours: near is dark, far is light, no reading is the page.
-import { type KeptFrame, unsignedBytes } from "./data";
+import type { KeptFrame } from "./data";
 import { element } from "./dom";
 
 // From dark blue over grey to yellow, told apart by lightness alone (after Nuñez, Anderton and Renslow's cividis, 2018).
@@ -25,15 +25,15 @@ export class DepthView {
     this.element.append(this.canvas, this.caption);
   }
 
-  show(frame: KeptFrame): void {
+  show(frame: KeptFrame, depth: Uint8Array): void {
     this.caption.textContent = frame.text;
-    this.canvas.hidden = frame.depth === undefined;
+    this.element.hidden = depth.length === 0;
     const context = this.canvas.getContext("2d");
-    if (frame.depth === undefined || !context || frame.width * frame.height === 0) return;
+    if (!context || frame.width * frame.height === 0) return;
     this.canvas.width = frame.width;
     this.canvas.height = frame.height;
     const image = context.createImageData(frame.width, frame.height);
-    unsignedBytes(frame.depth).forEach((value, i) => {
+    depth.forEach((value, i) => {
       if (value > 0) image.data.set([...colourOf((value - 1) / 254), 255], 4 * i);
     });
     context.putImageData(image, 0, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Normals and tangents of some of a cloud's points, as short lines in their structure's colour.
 import { BufferAttribute, BufferGeometry, Color, LineBasicMaterial, LineSegments } from "three";
-import { type CloudData, floats, signedBytes, unsignedBytes } from "./data";
+import type { Cloud } from "./cloud";
 import { cssColour } from "./dom";
 
 const kMaxLines = 1500; // of each structure
@@ -16,10 +16,7 @@ function chosen(structures: Uint8Array, structure: number): number[] {
 }
 
 // Normals stand on their point, tangents lie on both sides of it.
-export function directionLines(cloud: CloudData, length: number): LineSegments {
-  const points = floats(cloud.points);
-  const directions = signedBytes(cloud.directions ?? "");
-  const structures = unsignedBytes(cloud.structures ?? "");
+export function directionLines({ points, directions, structures }: Cloud, length: number): LineSegments {
   const positions: number[] = [];
   const colours: number[] = [];
   for (const [structure, name, back] of [[kPlanar, "--planar", 0], [kEdge, "--edge", 1]] as const) {

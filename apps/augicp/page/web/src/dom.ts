@@ -60,6 +60,7 @@ export function select(label: string, title: string, names: readonly string[], o
   const holder = element("label", "select", label);
   holder.title = title;
   const list = element("select");
+  list.setAttribute("aria-label", label);
   list.append(...names.map((name) => element("option", "", name)));
   list.addEventListener("change", () => { onChange(list.selectedIndex); });
   holder.append(list);

@@ -5,12 +5,19 @@ import { showAlign } from "./align_page";
 import { readReport } from "./data";
 import { element } from "./dom";
 import { showExperiment } from "./experiment_page";
+import { noView } from "./missing";
 import { showOdometry } from "./odometry_page";
 
-const report = readReport();
-document.head.append(element("style", "", plotStyle));
-document.documentElement.classList.add("live");
+async function start(stage: HTMLElement): Promise<void> {
+  const report = readReport();
+  document.head.append(element("style", "", plotStyle));
+  document.documentElement.classList.add("live");
+  if (report.align) await showAlign(report.align, report.charts, stage);
+  else if (report.odometry) await showOdometry(report.odometry, report.charts, stage);
+  else showExperiment(report.charts);
+}
+
 const stage = document.getElementById("stage") ?? document.body;
-if (report.align) showAlign(report.align, report.charts, stage);
-else if (report.odometry) showOdometry(report.odometry, report.charts, stage);
-else showExperiment(report.charts);
+void start(stage)
+  .catch((reason: unknown) => { stage.append(noView("The page cannot be shown whole", reason)); })
+  .finally(() => { document.documentElement.classList.add("ready"); });

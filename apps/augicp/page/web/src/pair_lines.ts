@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lines from source points to their partners; the source's ends move with its pose, on the graphics card.
+// Lines between corresponding points; the source's ends move with its pose, on the graphics card.
 import { BufferAttribute, BufferGeometry, Color, LineSegments, Matrix4, ShaderMaterial } from "three";
-import { type CloudData, floats } from "./data";
 import { cssColour, onColourScheme } from "./dom";
-
-// More would be a solid block.
-const kMaxPairs = 2500;
 
 const kVertexShader = `
   attribute float isSource;
@@ -19,35 +15,20 @@ const kFragmentShader = `
   uniform vec3 colour;
   void main() { gl_FragColor = vec4(colour, 0.75); }`;
 
-function geometryOf(source: CloudData): BufferGeometry {
-  const points = floats(source.points);
-  const partners = floats(source.partners ?? "");
-  const paired: number[] = [];
-  for (let i = 0; 3 * i < partners.length; ++i) if (!Number.isNaN(partners[3 * i])) paired.push(i);
-  const stride = Math.max(1, Math.ceil(paired.length / kMaxPairs));
-  const positions: number[] = [];
-  const ends: number[] = [];
-  for (let i = 0; i < paired.length; i += stride) {
-    const at = 3 * (paired[i] ?? 0);
-    positions.push(...points.subarray(at, at + 3), ...partners.subarray(at, at + 3));
-    ends.push(1, 0);
-  }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
-  geometry.setAttribute("isSource", new BufferAttribute(new Float32Array(ends), 1));
-  return geometry;
-}
-
 export class PairLines extends LineSegments<BufferGeometry, ShaderMaterial> {
   private readonly poseMatrix: Matrix4;
 
-  constructor(source: CloudData) {
+  // ends: points of the source and of the target in the page, in turn, three floats each.
+  constructor(ends: Float32Array<ArrayBuffer>) {
     const pose = new Matrix4();
     const colour = { value: new Color() };
     const recolour = (): void => { colour.value.setStyle(cssColour("--pairs"), "srgb-linear"); };
     recolour();
     onColourScheme(recolour);
-    super(geometryOf(source), new ShaderMaterial({
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(ends, 3));
+    geometry.setAttribute("isSource", new BufferAttribute(Float32Array.from({ length: ends.length / 3 }, (_, i) => 1 - (i % 2)), 1));
+    super(geometry, new ShaderMaterial({
       uniforms: { pose: { value: pose }, colour },
       vertexShader: kVertexShader,
       fragmentShader: kFragmentShader,

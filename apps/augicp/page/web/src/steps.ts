@@ -9,8 +9,10 @@ export interface Steps {
 
 const kFrameTime_ms = 120;
 
-function isForKeys(target: EventTarget | null): boolean {
-  return target instanceof HTMLInputElement || target instanceof HTMLCanvasElement || target instanceof HTMLButtonElement;
+// Whether what has the focus uses the key itself.
+function isForItself({ target, key }: KeyboardEvent): boolean {
+  if (target instanceof HTMLButtonElement || target instanceof SVGElement) return key === " " || key === "Enter";
+  return target instanceof HTMLInputElement || target instanceof HTMLCanvasElement || target instanceof HTMLSelectElement;
 }
 
 // onShow is called with every step shown; names say what the ends are.
@@ -63,7 +65,7 @@ export function makeSteps(count: number, label: string, texts: readonly string[]
     End: () => count - 1,
   };
   window.addEventListener("keydown", (event) => {
-    if (isForKeys(event.target) || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (isForItself(event) || event.ctrlKey || event.metaKey || event.altKey) return;
     const step = keys[event.key];
     if (event.key === " ") play.click();
     else if (step) show(step());

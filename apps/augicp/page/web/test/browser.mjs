@@ -32,7 +32,10 @@ export async function inPage(browser, file, options, check) {
   page.on("request", (request) => { if (request.url() !== url && !request.url().startsWith("data:")) faults.push(`request: ${request.url()}`); });
   try {
     await page.goto(url);
-    if (options.javaScriptEnabled !== false) await settled(page);
+    if (options.javaScriptEnabled !== false) {
+      await page.waitForFunction(() => document.scripts.length === 0 || document.documentElement.classList.contains("ready"));
+      await settled(page);
+    }
     await check(page);
     // The driver of a graphics card that is a program reports that reading pixels is slow.
     assert.deepEqual(faults.filter((fault) => !fault.includes("GPU stall")), []);

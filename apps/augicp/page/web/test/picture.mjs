@@ -5,7 +5,7 @@ import { settled } from "./browser.mjs";
 const overlays = ".gizmo, .scale-bar, .depth, .wheel-hint, .view-tools, .readout { visibility: hidden !important; }";
 
 // The box of all that is drawn on the ground of a view, as shares of its width and height: left, right, top, bottom; and the
-// mean place across of its topmost part and of its middle.
+// mean place across of its topmost part and of its middle; the mean saturation in its three thirds, from the left.
 export async function ink(page, selector = ".view > canvas") {
   const style = await page.addStyleTag({ content: overlays });
   await settled(page);
@@ -26,12 +26,19 @@ export async function ink(page, selector = ".view > canvas") {
     const places = rows.flat();
     const mean = (from, to) => { const part = rows.slice(from, to).flat(); return part.reduce((sum, x) => sum + x, 0) / Math.max(1, part.length) / width; };
     const [top, bottom] = [filled[0] ?? 0, filled.at(-1) ?? 0];
+    const saturation = (x, y) => { const rgb = [...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 3)]; return Math.max(...rgb) - Math.min(...rgb); };
+    const meanSaturation = (third) => {
+      const [low, high] = [Math.min(...places.slice(0, 1e5)), Math.max(...places.slice(0, 1e5))];
+      const all = rows.flatMap((row, y) => row.filter((x) => Math.floor((3 * (x - low)) / (high - low + 1)) === third).map((x) => saturation(x, y)));
+      return all.reduce((sum, value) => sum + value, 0) / Math.max(1, all.length) / 255;
+    };
     const at = (share) => Math.round(top + share * (bottom - top));
     return {
       left: places.reduce((least, x) => Math.min(least, x), width) / width,
       right: (1 + places.reduce((most, x) => Math.max(most, x), 0)) / width,
       top: top / height,
       bottom: (bottom + 1) / height,
+      saturation: [0, 1, 2].map((third) => meanSaturation(third)),
       share: places.length / (width * height),
       topX: mean(top, at(0.06)),
       upperX: mean(at(0.2), at(0.3)),

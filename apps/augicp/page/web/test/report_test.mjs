@@ -24,11 +24,11 @@ if (hasScript) {
     assert.ok(await changes(page, () => slider.fill("0")));
     await page.getByTitle("Last (End)").click();
     assert.equal(await slider.inputValue(), last);
-    assert.match(await page.locator("output").innerText(), /Iteration \d+ of \d+: \d+ pairs/);
+    assert.match(await page.locator("output").innerText(), /Iteration \d+ of \d+: \d+ correspondences/);
   }));
 
   test("alignment: every toggle changes the picture", () => inPage(browser, alignment, {}, async (page) => {
-    for (const name of ["Target", "Source", "Pairs", "Residuals", "Normals, tangents", "Structure"]) {
+    for (const name of ["Target", "Source", "Correspondences", "Normals, tangents", "Grid"]) {
       const toggle = page.getByRole("button", { name, exact: true });
       const before = await toggle.getAttribute("aria-pressed");
       assert.ok(await changes(page, () => toggle.click()), name);
@@ -96,7 +96,7 @@ if (hasScript) {
       assert.ok(await changes(page, () => page.getByRole("button", { name: "Local model" }).click()));
       await page.locator("figure[data-chart] .u-over").first().click({ position: { x: 5, y: 30 } });
       assert.ok(Number(await slider.inputValue()) < 3);
-      assert.equal(await page.locator("table tbody tr").count(), 6);
+      assert.equal(await page.locator("table tbody tr").count(), 4);
     });
   });
 

@@ -24,3 +24,37 @@ export function tilted(points, angle_rad) {
 }
 
 export const asText = (points) => points.map((point) => point.map((value) => value.toFixed(5)).join(" ")).join("\n");
+
+// A flat square of 2 x 2 m from x, with the waves of the same landscape wherever it is cut out.
+export function landscape(from) {
+  const points = [];
+  for (let i = 0; i < 80; ++i) for (let k = 0; k < 80; ++k) {
+    const [x, y] = [from + i / 40, k / 40];
+    points.push([x, y, 0.1 * Math.sin(3 * x) + 0.15 * Math.cos(4 * y + x)]);
+  }
+  return points;
+}
+
+// What a LiDAR at a place sees of a hall of 12 x 8 x 5 m with two pillars, in its own frame: 16 rings of 240 points.
+export function hallScan([px, py, pz]) {
+  const pillars = [[3, 2, 0.5], [-2, -1.5, 0.4]];
+  const points = [];
+  for (let ring = 0; ring < 16; ++ring)
+    for (let turn = 0; turn < 240; ++turn) {
+      const [rise, angle] = [((ring - 8) * 3 * Math.PI) / 180, (turn * 2 * Math.PI) / 240];
+      const ray = [Math.cos(rise) * Math.cos(angle), Math.cos(rise) * Math.sin(angle), Math.sin(rise)];
+      const walls = [6, 4, 2.5].map((half, k) => (Math.sign(ray[k]) * half - [px, py, pz][k]) / ray[k]).filter((t) => t > 0);
+      const hits = pillars.map(([x, y, r]) => {
+        const [dx, dy] = [px - x, py - y];
+        const [a, b, c] = [ray[0] ** 2 + ray[1] ** 2, dx * ray[0] + dy * ray[1], dx * dx + dy * dy - r * r];
+        const root = b * b - a * c;
+        return root > 0 ? (-b - Math.sqrt(root)) / a : Infinity;
+      }).filter((t) => t > 0);
+      const range = Math.min(...walls, ...hits);
+      points.push(ray.map((part) => range * part));
+    }
+  return points;
+}
+
+export const asPly = (points) =>
+  `ply\nformat ascii 1.0\nelement vertex ${points.length}\nproperty float x\nproperty float y\nproperty float z\nend_header\n${asText(points)}\n`;

@@ -36,6 +36,11 @@ export function samplesOf(parts: readonly Fitted[]): Vector3[] {
   return inside.length > 0 ? inside : [new Vector3(-1, -1, -1), new Vector3(1, 1, 1)];
 }
 
+// The diagonal of the box of all of them, above 0.
+export function robustExtent(points: readonly Vector3[]): number {
+  return Math.max(robustBounds(points).getSize(new Vector3()).length() / 1.5, 1e-6);
+}
+
 // How far a frustum's two opposite planes must reach, along the side axis and backwards.
 function slab(points: readonly Vector3[], side: Vector3, back: Vector3, tangent: number): { middle: number; distance: number } {
   let positive = -Infinity;

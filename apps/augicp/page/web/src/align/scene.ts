@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Both clouds and what is drawn between them.
+import type { Group, LineSegments } from "three";
+import type { Cloud } from "../cloud";
+import { CloudPoints } from "../cloud_points";
+import { type AlignData, isFinitePose } from "../data";
+import { directionLines } from "../direction_lines";
+import { freeArrows } from "../free_arrows";
+import { PairLines } from "../pair_lines";
+import { unpackedPoints } from "../packed";
+import { Viewer } from "../stage/viewer";
+import { Survey } from "../survey";
+import { cloudOf } from "../cloud";
+
+const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+export class AlignScene {
+  readonly viewer: Viewer;
+  readonly survey: Survey;
+  readonly source: CloudPoints;
+  readonly target: CloudPoints;
+  readonly pairs: PairLines;
+  readonly arrows: Group;
+  readonly directions: [LineSegments, LineSegments]; // of the source, of the target
+  pose: readonly number[] = kIdentity; // of the source in the page
+
+  // Throws where the browser has no WebGL.
+  constructor(readonly data: AlignData, source: Cloud, target: Cloud, pairs: Float32Array<ArrayBuffer>) {
+    this.survey = new Survey(data, source, target);
+    this.viewer = new Viewer("Both clouds in 3D: arrow keys rotate, with Shift they move, + and - zoom, 0 shows all", this.survey.home(0));
+    this.source = new CloudPoints(source, "--source", data.extent);
+    this.target = new CloudPoints(target, "--target", data.extent);
+    this.source.finalPose = this.poseAt(data.poses.length - 1);
+    this.pairs = new PairLines(pairs);
+    this.arrows = freeArrows(data.free_motions, 0.5 * data.extent);
+    this.directions = [directionLines(source, data.direction_length), directionLines(target, data.direction_length)];
+    this.viewer.scene.add(this.target, this.source, this.pairs, ...this.directions, this.arrows);
+  }
+
+  static async of(data: AlignData): Promise<AlignScene> {
+    const [source, target, pairs] = await Promise.all([cloudOf(data.source), cloudOf(data.target), unpackedPoints(data.pairs)]);
+    return new AlignScene(data, source, target, pairs);
+  }
+
+  poseAt(step: number): readonly number[] {
+    const pose = this.data.poses[step];
+    return isFinitePose(pose) ? pose : kIdentity;
+  }
+
+  showPose(pose: readonly number[]): void {
+    this.source.pose = this.pairs.pose = pose;
+    this.directions[0].matrix.fromArray(pose);
+    this.directions[0].matrixWorldNeedsUpdate = true;
+  }
+
+  showStep(step: number): void {
+    this.pose = this.poseAt(step);
+    this.showPose(this.pose);
+    this.viewer.invalidate();
+  }
+}
