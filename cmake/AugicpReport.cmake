@@ -26,7 +26,7 @@ function(augicp_report_bundle file)
   set(script "")
   if("SCRIPT" IN_LIST ARGN AND AUGICP_CAN_BUNDLE)
     set(script ${CMAKE_CURRENT_BINARY_DIR}/report.js)
-    file(GLOB sources CONFIGURE_DEPENDS ${AUGICP_WEB}/src/*.ts)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${AUGICP_WEB}/src/*.ts)
     add_custom_command(OUTPUT ${script} ${script}.sha256
       COMMAND ${AUGICP_NODE} bundle.mjs ${CMAKE_CURRENT_BINARY_DIR}
       DEPENDS ${sources} ${AUGICP_WEB}/bundle.mjs ${AUGICP_WEB}/package-lock.json

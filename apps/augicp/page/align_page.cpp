@@ -10,6 +10,7 @@
 #include "apps/augicp/page/length_text.h"
 #include "apps/augicp/page/parts.h"
 #include "apps/augicp/page/verdict.h"
+#include "apps/augicp/text/matrix_json.h"
 #include "augicp/core/angles.h"
 
 namespace augicp::app {
@@ -93,6 +94,7 @@ nlohmann::ordered_json align_json(const AlignPicture& picture) {
           {"target", clouds.target},
           {"poses", poses},
           {"step_texts", step_texts(picture)},
+          {"transform", matrix_json(report.result.target_from_source.matrix())},
           {"zero", numbers(frame.target_zero)},
           {"extent", extent},
           {"direction_length", 0.02 * extent},

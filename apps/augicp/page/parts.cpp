@@ -38,6 +38,17 @@ nlohmann::ordered_json chart_json(const Chart& chart) {
           {"series", series}};
 }
 
+// For a reader who sees no 3D view: that it is missing, and why.
+std::string missing_html(bool has_script) {
+  if (!has_script)
+    return "<p class=\"notice\">No 3D view: this augicp was built without the script of its reports, which needs Node "
+           "18. Curves and tables are complete.</p>\n";
+  return "<noscript><p class=\"notice\">No 3D view: this browser, or the program that shows this file, runs no "
+         "scripts. "
+         "Curves and tables are complete. Opened in a browser with scripts, the file shows the "
+         "clouds.</p></noscript>\n";
+}
+
 }  // namespace
 
 std::string header_html(const PageHead& head) {
@@ -89,7 +100,9 @@ std::string whole_page(const PageHead& head, const std::string& kind, const std:
   std::string text;
   if (!bundle.script.empty()) text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   const std::string footer = "<footer>augicp " AUGICP_VERSION "</footer>\n";
-  return to_html({"augicp: " + head.title, header_html(head) + body + footer, text}, bundle);
+  return to_html(
+      {"augicp: " + head.title, header_html(head) + missing_html(!bundle.script.empty()) + body + footer, text},
+      bundle);
 }
 
 }  // namespace augicp::app

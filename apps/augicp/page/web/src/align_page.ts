@@ -2,31 +2,16 @@
 // Two clouds, before, between and after.
 import { Colours } from "./align/colours";
 import { AlignScene } from "./align/scene";
-import { layerToggles } from "./align/layers";
+import { AlignTools } from "./align/tools";
 import { makeCharts } from "./chart";
-import { copyButton } from "./copy";
 import type { AlignData, ChartData } from "./data";
-import { button, element, select } from "./dom";
 import { noView } from "./missing";
 import { makeSteps } from "./steps";
-
-function viewControls(scene: AlignScene, colours: Colours): HTMLElement {
-  const { survey, viewer } = scene;
-  const setUp = (index: number): void => {
-    const home = survey.home(index);
-    viewer.setHome(home);
-    colours.setUp(home.up);
-  };
-  setUp(0);
-  const row = element("div", "toggles");
-  const up = select("Up", "Which way is up", survey.upwards.map(({ name }) => name), setUp);
-  row.append(colours.chooser, up, button("Fit", "Show all (0, or a double click)", () => { viewer.reset(); }));
-  return row;
-}
+import { showTransforms } from "./tools/transform_panel";
 
 export async function showAlign(align: AlignData, charts: ChartData[], stage: HTMLElement): Promise<void> {
   const matrix = document.getElementById("matrix");
-  if (matrix) matrix.before(copyButton(() => matrix));
+  if (matrix) showTransforms(align.transform, matrix);
   const live = makeCharts(charts, (x) => { steps.show(x); });
   let scene: AlignScene | null = null;
   try {
@@ -40,7 +25,12 @@ export async function showAlign(align: AlignData, charts: ChartData[], stage: HT
   });
   if (scene) {
     const colours = new Colours(scene);
-    stage.append(scene.viewer.element, colours.legend, colours.range.element, steps.element, layerToggles(scene), viewControls(scene, colours));
-  } else stage.append(steps.element);
-  steps.show(align.poses.length - 1);
+    const tools = new AlignTools(scene, colours, stage);
+    stage.append(scene.viewer.element, colours.legend, colours.range.element, steps.element, tools.element);
+    steps.show(align.poses.length - 1);
+    tools.follow(steps);
+  } else {
+    stage.append(steps.element);
+    steps.show(align.poses.length - 1);
+  }
 }

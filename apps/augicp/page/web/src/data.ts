@@ -47,6 +47,7 @@ export interface AlignData {
   target: CloudData;
   poses: Maybe[][]; // 4x4, columns first: from source points to the page's frame; of the guess and after each iteration
   step_texts: string[]; // as many
+  transform: number[][]; // 4x4, rows: from source to target, with all digits
   zero: [number, number, number]; // of the page, in the target's frame, metres
   source_zero: [number, number, number]; // the source's origin in its frame, metres
   pairs: string; // packed points: of the source and of the target in the page, in turn

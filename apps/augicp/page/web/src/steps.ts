@@ -4,6 +4,7 @@ import { button, element } from "./dom";
 
 export interface Steps {
   readonly element: HTMLElement;
+  readonly step: number;
   show(step: number): void;
 }
 
@@ -84,5 +85,5 @@ export function makeSteps(count: number, label: string, texts: readonly string[]
     play,
   );
   row.append(line, text);
-  return { element: row, show };
+  return { element: row, show, get step() { return Number(slider.value); } };
 }

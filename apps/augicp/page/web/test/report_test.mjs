@@ -5,10 +5,10 @@ import { copyFileSync, mkdirSync, readFileSync, statSync, writeFileSync } from "
 import { join } from "node:path";
 import { test } from "node:test";
 import { changes, inPage, settled } from "./browser.mjs";
-import { browserForTests, folder, hasScript as isWithScript, images, plainAugicp, report, room, sequence as desk } from "./reports.mjs";
+import { browserForTests, folder, hasScript as isWithScript, plainAugicp, report, room, sequence as desk } from "./reports.mjs";
 
 const browser = await browserForTests();
-const alignment = report("align.html", ["align", ...images, "--camera", "tum-fr1"]);
+const alignment = report("align.html", ["align", ...room]);
 const hasScript = isWithScript(alignment);
 
 if (hasScript) {
@@ -145,13 +145,14 @@ test("little or nothing to draw is no error", async () => {
 });
 
 test("without scripts there are curves and tables", async () => {
-  const files = [alignment, report("plain.html", ["align", ...images, "--camera", "tum-fr1"], { program: plainAugicp })];
+  const files = [alignment, report("plain.html", ["align", ...room], { program: plainAugicp })];
   assert.ok(!readFileSync(files[1], "utf8").includes("<script"));
   assert.ok(statSync(files[1]).size < 1e5);
   for (const file of files)
     await inPage(browser, file, { javaScriptEnabled: false }, async (page) => {
-      assert.equal(await page.locator("figure svg path.curve").count(), 5);
+      assert.equal(await page.locator("figure svg path.curve").count(), 4);
       assert.ok(await page.locator("dl").first().isVisible());
       assert.ok(!(await page.locator("#stage").isVisible()));
+      assert.match(await page.locator(".notice").innerText(), /No 3D view: .*script/);
     });
 });

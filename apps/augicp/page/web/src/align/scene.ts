@@ -34,6 +34,7 @@ export class AlignScene {
     this.pairs = new PairLines(pairs);
     this.arrows = freeArrows(data.free_motions, 0.5 * data.extent);
     this.directions = [directionLines(source, data.direction_length), directionLines(target, data.direction_length)];
+    for (const points of [this.source, this.target]) this.viewer.detail.add(points);
     this.viewer.scene.add(this.target, this.source, this.pairs, ...this.directions, this.arrows);
   }
 

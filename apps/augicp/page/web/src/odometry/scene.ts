@@ -40,6 +40,7 @@ export class OdometryScene {
     this.map.range = [0, Math.max(1e-9, data.frames.at(-1)?.time ?? 1)];
     this.path = new EstimatedPath(data.frames);
     this.sensor = (data.lidar ? sensorAxes : pyramid)(0.08 * data.extent);
+    this.viewer.detail.add(this.map);
     this.viewer.scene.add(this.map, lines(truth, "--target", 2.5), this.path, this.sensor);
   }
 

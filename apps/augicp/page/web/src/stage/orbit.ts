@@ -18,6 +18,7 @@ export class Orbit {
     private readonly canvas: HTMLCanvasElement,
     private readonly onChange: () => void,
     private readonly onReset: () => void,
+    private readonly onMoving: (isMoving: boolean) => void, // while a button or a finger is down
   ) {
     this.hint.hidden = true;
     canvas.addEventListener("keydown", (event) => { this.onKey(event); });
@@ -49,8 +50,10 @@ export class Orbit {
     this.camera.position.copy(eye);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.target.copy(target);
-    this.controls.addEventListener("change", this.onChange);
     this.controls.update();
+    this.controls.addEventListener("change", this.onChange);
+    this.controls.addEventListener("start", () => { this.onMoving(true); });
+    this.controls.addEventListener("end", () => { this.onMoving(false); });
     this.adoptTouch();
     this.onChange();
   }

@@ -3,6 +3,7 @@
 import { Color, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from "three";
 import { cssColour, element, onColourScheme } from "../dom";
 import { AxesGizmo } from "./axes_gizmo";
+import { Detail } from "./detail";
 import { fitted, type Look, type Opening } from "./framing";
 import { type Ground, groundGrid } from "./ground_grid";
 import { Orbit } from "./orbit";
@@ -23,13 +24,17 @@ export class Viewer {
   readonly camera = new PerspectiveCamera(kView_deg, 1, 0.01, 1000);
   readonly renderer = new WebGLRenderer({ antialias: true });
   readonly canvas = this.renderer.domElement;
-  private readonly orbit = new Orbit(this.camera, this.canvas, () => { this.isAtHome = false; this.invalidate(); }, () => { this.reset(); });
+  private readonly orbit = new Orbit(this.camera, this.canvas, () => { this.isAtHome = false; this.invalidate(); }, () => { this.reset(); }, (isMoving) => { this.detail.moving = isMoving; this.invalidate(); });
+  readonly detail = new Detail();
   private readonly gizmo = new AxesGizmo((toEye) => { this.lookAlong(toEye); });
   private readonly scaleBar = new ScaleBar();
   private readonly around = new Sphere();
   private ground: Ground | null = null;
+  private prepare: readonly (() => void)[] = [];
   private isWaiting = false;
   private isAtHome = true;
+
+  onDraw: () => void = () => undefined; // after each picture
 
   // Throws where the browser has no WebGL.
   constructor(label: string, private home: Home) {
@@ -94,15 +99,62 @@ export class Viewer {
     requestAnimationFrame(this.draw);
   }
 
-  private readonly draw = (): void => {
+  // The picture as a file.
+  png(): Promise<Blob | null> {
+    this.draw(); // what was drawn before is gone
+    return new Promise((done) => { this.canvas.toBlob(done, "image/png"); });
+  }
+
+  // At once, for who reads the canvas in the same moment.
+  drawNow(): void {
+    this.draw();
+  }
+
+  get isHome(): boolean {
+    return this.isAtHome;
+  }
+
+  // Several pictures side by side, from the same eye: each function prepares one of them. None: one picture.
+  set panes(prepare: readonly (() => void)[]) {
+    this.prepare = prepare;
+    this.element.classList.toggle("split", prepare.length > 1);
+    this.adoptAspect();
+  }
+
+  get isSplit(): boolean {
+    return this.prepare.length > 1;
+  }
+
+  get state(): Look {
+    const { position: eye, up } = this.camera;
+    return { eye: eye.clone(), target: this.target, up: up.clone() };
+  }
+
+  private render(): void {
+    const { renderer, scene, camera } = this;
+    const { clientWidth: width, clientHeight: height } = this.element;
+    const count = Math.max(1, this.prepare.length);
+    renderer.setScissorTest(count > 1);
+    for (let i = 0; i < count; ++i) {
+      this.prepare[i]?.();
+      const [left, across] = [Math.round((i * width) / count), Math.round(width / count)];
+      renderer.setViewport(left, 0, across, height);
+      renderer.setScissor(left, 0, across, height);
+      renderer.render(scene, camera);
+    }
+  }
+
+  private readonly draw = (now_ms = performance.now()): void => {
     this.isWaiting = false;
+    this.detail.adapt(now_ms);
     const { camera } = this;
     const distance = camera.position.distanceTo(this.around.center);
     const radius = Math.max(this.around.radius, 0.05 * distance);
     camera.near = Math.max(distance - 1.5 * radius, radius / 500);
     camera.far = distance + 4 * radius;
     camera.updateProjectionMatrix();
-    this.renderer.render(this.scene, camera);
+    this.render();
+    this.onDraw();
     this.gizmo.update(camera);
     this.scaleBar.update(camera, this.target, this.element.clientHeight);
   };
@@ -122,7 +174,13 @@ export class Viewer {
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height);
-    this.camera.aspect = width / height;
+    this.adoptAspect();
+  }
+
+  private adoptAspect(): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    if (width === 0 || height === 0) return;
+    this.camera.aspect = width / height / Math.max(1, this.prepare.length);
     if (this.isAtHome) this.reset();
     this.invalidate();
   }
