@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
+const kPatience_ms = 120_000; // a busy machine without a graphics card draws slowly
 const kSkipped = 77; // as CTest is told
 const flags = ["--no-sandbox", "--disable-gpu-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
   "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
@@ -24,6 +25,7 @@ export async function launch() {
 export async function inPage(browser, file, options, check) {
   const { hash = "", withoutWebGl = false, ...given } = options;
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...given });
+  context.setDefaultTimeout(kPatience_ms);
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
   if (withoutWebGl) await page.addInitScript(() => {
