@@ -43,6 +43,8 @@ void for_each_option(Options& options, const Visit& visit) {
   visit({"coarse_to_fine", None, kBeyondPaper, "Large images are first aligned downsampled"}, options.coarse_to_fine);
   visit({"rolling_shutter", None, kBeyondPaper, "Images bent by a rolling shutter are straightened"},
         options.rolling_shutter);
+  visit({"final_pass", None, kBeyondPaper, "Clouds are aligned once more in smaller balls; kept if more certain"},
+        options.final_pass);
   visit({"intensity", None, kBeyondPaper, "Brightness counts too, if both inputs have it"}, options.intensity);
 }
 

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "augicp/registration/lengths.h"
 
 namespace augicp {
+
+// Two scans as they came.
+struct RawPair {
+  Scan source, target;
+};
 
 // Two prepared scans, and the lengths of their preparation; see prepare_pair().
 struct PreparedPair {
   Scan source, target;
   Lengths lengths;
+  std::optional<RawPair> raw = std::nullopt;  // for the final pass; absent if there is none, see final_pass.h
 };
 
 // A view of two prepared scans: a sequence registers each scan with several others, without copies. Either may be

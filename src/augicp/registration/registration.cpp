@@ -8,6 +8,7 @@
 #include "augicp/core/parallel.h"
 #include "augicp/core/stop.h"
 #include "augicp/registration/coarse_to_fine.h"
+#include "augicp/registration/final_pass.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/surface/ball_neighbourhood.h"
 #include "augicp/surface/intensity_gradient.h"
@@ -64,6 +65,21 @@ AlignResult between_frames(AlignResult result, const Cloud& source, const Cloud&
   return result;
 }
 
+// The registration between the clouds' points.
+Registration registered(PreparedPair pair, const Rigid3& guess, const RegistrationOptions& options) {
+  std::optional<RawPair> raw = std::exchange(pair.raw, std::nullopt);
+  AlignResult result = coarse_to_fine(pair, guess, options);
+  Registration first{std::move(result), std::move(pair)};
+  if (!raw) return first;
+  return with_final_pass(std::move(first), std::move(*raw), options.global ? Guess{} : guess, options);
+}
+
+AlignResult nothing_found(const Rigid3& initial_target_from_source) {
+  AlignResult nothing;
+  nothing.target_from_source = initial_target_from_source;
+  return nothing;
+}
+
 bool have_extent(const ScanPair& pair) {
   return !pair.source.cloud.empty() && !pair.target.cloud.empty() && pair.lengths.max_distance > 0.0;
 }
@@ -90,7 +106,9 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
 PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& options) {
   options.check();
   const Lengths lengths = lengths_for(source, target, options);
-  PreparedPair pair{std::move(source), std::move(target), lengths};
+  std::optional<RawPair> raw;
+  if (may_have_final_pass(source, target, options)) raw = RawPair{source, target};
+  PreparedPair pair{std::move(source), std::move(target), lengths, std::move(raw)};
   RegistrationOptions of_half = options;  // of the threads
   if (options.num_threads > 1) of_half.num_threads = options.num_threads / 2;
   const auto prepare_one = [&](std::size_t which, std::size_t) {
@@ -105,11 +123,7 @@ AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target
                               const RegistrationOptions& options) {
   is_projective(pair.target, options.association);  // throws where it cannot be
   const Cloud &source = pair.source.cloud, &target = pair.target.cloud;
-  if (!have_extent(pair)) {
-    AlignResult nothing;
-    nothing.target_from_source = initial_target_from_source;
-    return nothing;
-  }
+  if (!have_extent(pair)) return nothing_found(initial_target_from_source);
   const Rigid3 guess = without_origins(initial_target_from_source, source, target);
   return between_frames(coarse_to_fine(pair, guess, options), source, target);
 }
@@ -117,8 +131,12 @@ AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target
 Registration register_pair(PreparedPair pair, const Rigid3& initial_target_from_source,
                            const RegistrationOptions& options) {
   options.check();
-  AlignResult result = register_prepared(pair, initial_target_from_source, options);
-  return {std::move(result), std::move(pair)};
+  is_projective(pair.target, options.association);  // throws where it cannot be
+  if (!have_extent(pair)) return {nothing_found(initial_target_from_source), std::move(pair)};
+  const Rigid3 guess = without_origins(initial_target_from_source, pair.source.cloud, pair.target.cloud);
+  Registration found = registered(std::move(pair), guess, options);
+  found.result = between_frames(std::move(found.result), found.prepared.source.cloud, found.prepared.target.cloud);
+  return found;
 }
 
 Registration register_scans(Scan source, Scan target, const Rigid3& initial_target_from_source,
@@ -129,10 +147,13 @@ Registration register_scans(Scan source, Scan target, const Rigid3& initial_targ
 
 std::vector<AlignResult> find_pose(Scan source, Scan target, RegistrationOptions options) {
   options.global = true;
-  const PreparedPair pair = prepare_pair(std::move(source), std::move(target), options);
+  PreparedPair pair = prepare_pair(std::move(source), std::move(target), options);
   is_projective(pair.target, options.association);  // throws where it cannot be
   if (!have_extent(pair)) return {};
+  std::optional<RawPair> raw = std::exchange(pair.raw, std::nullopt);
   std::vector<AlignResult> found = from_anywhere(pair, options);
+  if (!found.empty() && raw)
+    found.front() = with_final_pass({found.front(), pair}, std::move(*raw), std::nullopt, options).result;
   for (AlignResult& result : found) result = between_frames(std::move(result), pair.source.cloud, pair.target.cloud);
   return found;
 }
