@@ -5,6 +5,7 @@
 #include "apps/augicp/command/experiment_global.h"
 #include "apps/augicp/command/experiment_sequence.h"
 #include "apps/augicp/command/experiment_synthetic.h"
+#include "apps/augicp/command/experiment_town.h"
 #include "apps/augicp/command/experiment_trust.h"
 #include "apps/augicp/command/experiment_verdict.h"
 
@@ -20,6 +21,7 @@ void add_experiment_command(CLI::App& app, int& exit_code) {
   add_verdict_experiment(*command, exit_code);
   add_trust_experiment(*command, exit_code);
   add_global_experiment(*command, exit_code);
+  add_town_experiment(*command, exit_code);
   command->footer(
       "Each writes CSV, the same bytes for the same seed and any number of threads. experiments/ draws the pictures.\n"
       "Examples:\n"

@@ -65,6 +65,9 @@ Sweep scan(const World& world, const Lidar& lidar, const Motion& world_from_sens
 // The same for a sensor at rest in a world without moving objects: the cloud alone.
 Cloud scan(const testing::Scene& scene, const Lidar& lidar, const Rigid3& world_from_sensor, unsigned seed);
 
+// What fraction of the light each point's surface returns, in [0.1, 1]: one number a surface, 1 on moving objects.
+std::vector<float> reflectivities(const Sweep& sweep);
+
 // The points of a sweep in the sensor's frame at one time (seconds from the start of the sweep), by the true motion.
 Cloud straightened(const Sweep& sweep, const Motion& world_from_sensor, double begin_s, double frame_time_s);
 
