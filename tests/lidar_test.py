@@ -136,6 +136,23 @@ class Lidar(unittest.TestCase):
         self.assertIn("expected a field 'stamp'", refused.stderr)
         self.assertFalse((self.root / "refused").exists())
 
+    def test_scans_are_checked_against_keyframes_farther_back(self):
+        out = self.root / "checked"
+        result = run(self.scans, "--output", out, "--point-times", "none", "--check-every", 3)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = rows_of(out / "frames.csv")
+        drifts = {k: float(row["drift_m"]) for k, row in enumerate(rows) if row["drift_m"]}
+        self.assertEqual(sorted(drifts), [3, 6, 9])
+        self.assertTrue(all(row["status"] == "tracked" for row in rows[1:]))
+        check = json.loads((out / "metrics.json").read_text())["self_check"]
+        self.assertEqual((check["num_checked"], check["num_contradicted"]), (3, 0))
+        self.assertAlmostEqual(check["max_drift_m"], max(drifts.values()), 4)
+        self.assertLess(check["max_drift_m"], 0.02)
+        self.assertIn("drift      3 scans", result.stdout)
+        unchecked = run(self.scans, "--output", out, "--point-times", "none", "--check-every", 0)
+        self.assertNotIn("drift", unchecked.stdout)
+        self.assertNotIn("self_check", json.loads((out / "metrics.json").read_text()))
+
     def test_every_pose_but_the_first_has_a_covariance(self):
         rows = np.genfromtxt(self.output / "covariances.csv", delimiter=",", names=True)
         self.assertEqual(len(rows), NUM_SCANS - 1)

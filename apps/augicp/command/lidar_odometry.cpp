@@ -7,11 +7,13 @@
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
+#include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/read_cloud.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/io/write_cloud.h"
+#include "augicp/odometry/lidar_option_table.h"
 
 namespace augicp::app {
 namespace {
@@ -109,6 +111,7 @@ void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
       ->group(group);
   command.add_option("--map-voxel", arguments.odometry.voxel_size, "Voxels of the map, metres (default: derived)")
       ->group(group);
+  add_options(command, arguments.odometry, {"remove_seen_through", "deskew", "check_every", "check_distance_voxels"});
   command.add_option("--map", arguments.map, "Write the surfaces around the last pose, .ply or .pcd")->group(group);
 }
 

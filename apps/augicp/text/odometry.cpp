@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "apps/augicp/text/evaluation.h"
+#include "augicp/core/median.h"
 
 namespace augicp::app {
 namespace {
@@ -34,6 +35,49 @@ std::string in_csv(const std::string& text) {
   return quoted + "\"";
 }
 
+std::string drift_in_csv(const FrameReport& report) {
+  if (!report.drift) return ",,";
+  return fmt::format("{:.4g},{:.4g},{:.4g}", report.drift->drift_m, report.drift->drift_deg, report.drift->expected_m);
+}
+
+// What the scans that were checked against a keyframe farther back have drifted by; empty if none was.
+struct SelfCheckSummary {
+  std::size_t num_checked = 0, num_contradicted = 0;
+  double median_drift_m = 0.0, max_drift_m = 0.0, max_drift_deg = 0.0;
+};
+
+SelfCheckSummary self_check_of(const OdometryRun& run) {
+  SelfCheckSummary summary;
+  std::vector<double> drifts;
+  for (const FrameRow& row : run.rows) {
+    if (!row.report.drift) continue;
+    drifts.push_back(row.report.drift->drift_m);
+    summary.num_contradicted += row.report.drift->contradicts;
+    summary.max_drift_deg = std::max(summary.max_drift_deg, row.report.drift->drift_deg);
+  }
+  summary.num_checked = drifts.size();
+  if (drifts.empty()) return summary;
+  summary.max_drift_m = *std::max_element(drifts.begin(), drifts.end());
+  summary.median_drift_m = upper_median(drifts);
+  return summary;
+}
+
+nlohmann::ordered_json self_check_json(const SelfCheckSummary& summary) {
+  return {{"num_checked", summary.num_checked},
+          {"num_contradicted", summary.num_contradicted},
+          {"median_drift_m", summary.median_drift_m},
+          {"max_drift_m", summary.max_drift_m},
+          {"max_drift_deg", summary.max_drift_deg}};
+}
+
+std::string self_check_text(const SelfCheckSummary& summary) {
+  return fmt::format(
+      "drift      {} scans against keyframes farther back: {:.1f} cm (median), {:.1f} cm and {:.2f} "
+      "degrees (largest), {} contradicted\n",
+      summary.num_checked, 100.0 * summary.median_drift_m, 100.0 * summary.max_drift_m, summary.max_drift_deg,
+      summary.num_contradicted);
+}
+
 std::string counts_text(const OdometryRun& run) {
   std::string text;
   for (const auto& [status, word] : kWords<FrameStatus>)
@@ -59,14 +103,15 @@ Trajectory trajectory_of(const OdometryRun& run) {
 
 std::string frames_csv(const OdometryRun& run) {
   std::string text =
-      "frame,stamp_s,image,status,segment,keyframe,registration,pairs,iterations,overlap,rmse,strain,time_ms,problem\n";
+      "frame,stamp_s,image,status,segment,keyframe,registration,pairs,iterations,overlap,rmse,strain,drift_m,drift_deg,"
+      "drift_expected_m,time_ms,problem\n";
   for (const FrameRow& row : run.rows) {
     const FrameReport& report = row.report;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.4g},{:.3f},{}\n", row.frame, report.stamp_s,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.4g},{},{:.3f},{}\n", row.frame, report.stamp_s,
                         in_csv(row.image.filename().string()), name_of(report.status), report.segment,
                         report.is_keyframe ? 1 : 0, report.registration ? name_of(*report.registration) : "",
-                        report.num_pairs, report.iterations, report.overlap, report.rmse, report.strain, row.time_ms,
-                        in_csv(report.problem));
+                        report.num_pairs, report.iterations, report.overlap, report.rmse, report.strain,
+                        drift_in_csv(report), row.time_ms, in_csv(report.problem));
   }
   return text;
 }
@@ -78,6 +123,8 @@ nlohmann::ordered_json metrics_json(const OdometryRun& run) {
                               {"num_poses", trajectory_of(run).size()}};
   if (!run.point_times.empty()) json["point_times"] = run.point_times;
   for (const auto& [status, word] : kWords<FrameStatus>) json["num_" + std::string(word)] = num_with(run, status);
+  if (const SelfCheckSummary check = self_check_of(run); check.num_checked > 0)
+    json["self_check"] = self_check_json(check);
   json["timing_ms"] = {{"total", run.total_ms}, {"median_frame", median_time_ms(run)}};
   json["frames_per_s"] = frames_per_s(run);
   if (run.evaluation) json["evaluation"] = evaluation_json(*run.evaluation);
@@ -90,6 +137,7 @@ std::string summary_text(const OdometryRun& run) {
   std::string text = fmt::format("sequence   {} ({}, {} frames)\n", run.sequence, run.layout, run.rows.size());
   if (!run.point_times.empty()) text += fmt::format("times      {}\n", run.point_times);
   text += fmt::format("frames     {}\n", counts_text(run));
+  if (const SelfCheckSummary check = self_check_of(run); check.num_checked > 0) text += self_check_text(check);
   text += fmt::format("time       {:.1f} s, {:.1f} frames/s, median {:.1f} ms a frame\n", run.total_ms / 1000.0,
                       frames_per_s(run), median_time_ms(run));
   const auto with_problem =

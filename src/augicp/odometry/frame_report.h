@@ -38,6 +38,25 @@ inline constexpr auto kWords<FrameStatus> = std::to_array<Word<FrameStatus>>({{F
 // Whether a frame of this status has a pose.
 bool has_pose(FrameStatus status);
 
+// What a LiDAR scan's direct registration to a single keyframe farther back says of its pose, which a chain of
+// registrations has given: how far the chain has drifted since. See self_check.h.
+struct DriftCheck {
+  double keyframe_stamp_s = 0.0;
+  double distance_m = 0.0;      // between the two places of the sensor
+  Rigid3 keyframe_from_sensor;  // by the direct registration; both at the middle of their sweeps
+  double drift_m = 0.0;         // of the chained pose from the direct one
+  double drift_deg = 0.0;
+
+  // What the covariances of the three registrations explain of the place of a typical point: three deviations, metres.
+  double expected_m = 0.0;
+
+  // The share of the scan's points on the keyframe's surfaces, by either pose.
+  double share_chained = 0.0, share_direct = 0.0;
+
+  // The drift is clearly above expected_m, and the direct pose brings more points onto the keyframe's surfaces.
+  bool contradicts = false;
+};
+
 struct FrameReport {
   double stamp_s = 0.0;
   FrameStatus status = FrameStatus::Lost;
@@ -58,7 +77,10 @@ struct FrameReport {
   std::optional<Mat6d> covariance;
   std::vector<FreeMotion> free_motions;
 
-  std::string problem;  // in words, where the status is NoReadings or Unreadable
+  // Of the LiDAR scans that were checked.
+  std::optional<DriftCheck> drift;
+
+  std::string problem;  // in words, where the status is NoReadings or Unreadable, or the self-check contradicts
 };
 
 // The report on a frame whose data could not be used, and why.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/odometry/surface_agreement.h"
 #include "augicp/registration/registration.h"
 
 namespace augicp {
@@ -48,28 +49,6 @@ constexpr double kTrialVoxels = 0.25;
 // Two points share the voxel from which their directions come up to this far apart, voxels.
 constexpr double kCorrelationVoxels = 2.0;
 
-// The share of the source's points that are on a surface of the target, and the RMS of their distances from it.
-double agreement_of(const Cloud& source, const Matcher& matcher, const Rigid3& world_from_source, const Gates& gates,
-                    double on_surface, int num_threads, double& rmse) {
-  const Cloud& target = matcher.target();
-  const Rigid3 pose = without_origins(world_from_source, source, target);
-  std::size_t num_on = 0;
-  double sum_sq = 0.0;
-  for (const Correspondence& pair : matcher.match(source, pose, gates, num_threads)) {
-    const Vec3d moved_point = pose * source.points[pair.source].cast<double>();
-    const Vec3d apart = moved_point - target.points[pair.target].cast<double>();
-    const Vec3d direction = target.directions[pair.target].cast<double>();
-    const double along = direction.dot(apart);
-    const bool is_edge = target.structures[pair.target] == Structure::Edge;
-    const double off = is_edge ? (apart - along * direction).norm() : std::abs(along);
-    if (off > on_surface) continue;
-    ++num_on;
-    sum_sq += off * off;
-  }
-  rmse = num_on == 0 ? 0.0 : std::sqrt(sum_sq / static_cast<double>(num_on));
-  return static_cast<double>(num_on) / static_cast<double>(source.size());
-}
-
 }  // namespace
 
 LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepShares& shares,
@@ -90,7 +69,7 @@ LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepSha
   return attempt;
 }
 
-void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const {
+AlignOptions LidarOdometry::align_options() const {
   AlignOptions align_by;
   align_by.information = plane_information();
   align_by.kernel_per_median = kKernelPerMedian;
@@ -99,6 +78,15 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
   align_by.min_rotation_step = kMinRotationStep;
   align_by.num_threads = options_.num_threads;
   align_by.stop = options_.stop;
+  align_by.gates.max_distance = options_.gate_voxels * voxel_size_;
+  align_by.min_kernel_chi2 = std::pow(kMinKernel * voxel_size_, 2);
+  align_by.min_observability = options_.min_observability;
+  align_by.correlation_length = kCorrelationVoxels * voxel_size_;
+  return align_by;
+}
+
+void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const {
+  AlignOptions align_by = align_options();
   // A wide gate lets scans slide along what the last one left free, or where nothing is known yet.
   const bool holds_from_afar = !before_last_ || is_last_degenerate_;
   const double least = options_.gate_voxels * voxel_size_;
@@ -111,15 +99,33 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
     const double kernel = is_last ? kMinKernel * voxel_size_ : kKernelPerGate * gate;
     align_by.min_kernel_chi2 = kernel * kernel;
     align_by.min_observability = is_last || holds_from_afar ? options_.min_observability : 0.0;
-    align_by.correlation_length = is_last && options_.covariance ? kCorrelationVoxels * voxel_size_ : 0.0;
+    align_by.correlation_length = is_last && wants_covariance() ? kCorrelationVoxels * voxel_size_ : 0.0;
     const Cloud& target = matcher_->target();
     attempt.result =
         align(attempt.source, *matcher_, without_origins(attempt.world_from_sensor, attempt.source, target), align_by);
     attempt.world_from_sensor = with_origins(attempt.result.target_from_source, attempt.source, target);
     attempt.iterations += attempt.result.iterations;
   }
-  attempt.agreement = agreement_of(attempt.source, *matcher_, attempt.world_from_sensor, align_by.gates,
-                                   options_.on_surface_voxels * voxel_size_, options_.num_threads, attempt.rmse);
+  const SurfaceAgreement found = surface_agreement(attempt.source, *matcher_, attempt.world_from_sensor, align_by.gates,
+                                                   options_.on_surface_voxels * voxel_size_, options_.num_threads);
+  attempt.agreement = found.share, attempt.rmse = found.rmse;
+}
+
+// A scan that is to be checked has its covariance, too.
+bool LidarOdometry::wants_covariance() const { return options_.covariance || is_check_due(); }
+
+bool LidarOdometry::is_check_due() const {
+  return options_.check_every > 0 && num_since_check_ + 1 >= options_.check_every;
+}
+
+std::optional<DriftCheck> LidarOdometry::checked(const Attempt& attempt) const {
+  if (!is_check_due()) return std::nullopt;
+  SelfCheckOptions options;
+  options.distance = options_.check_distance_voxels * voxel_size_;
+  options.on_surface = options_.on_surface_voxels * voxel_size_;
+  options.typical_distance = typical_distance(voxel_size_);
+  options.align_by = align_options();
+  return self_check_.check(attempt.source, attempt.world_from_sensor, covariance_at_sensor(attempt), options);
 }
 
 // Registers to the last keyframe from many starts, and to the map from there.

@@ -6,8 +6,10 @@
 
 #include "augicp/core/check.h"
 #include "augicp/odometry/lidar_attempt.h"
+#include "augicp/odometry/seen_through.h"
 #include "augicp/registration/registration.h"
 #include "augicp/shutter/rolling_shutter.h"
+#include "augicp/trust/covariance.h"
 
 namespace augicp {
 namespace {
@@ -25,6 +27,9 @@ constexpr double kMaxVoxel = 0.7;
 
 // How fast the usual share of points on the map's surfaces follows the last scans'.
 constexpr double kForgetting = 0.1;
+
+// Keyframes that only rotated are not remembered for the self-check, voxels.
+constexpr double kRememberedVoxels = 1.0;
 
 // 0 where all points are in one place.
 double derived_voxel(const Cloud& scan) {
@@ -49,6 +54,8 @@ void LidarOptions::check() const {
   require_not_negative("sweep_s", sweep_s);
   require_not_negative("min_observability", min_observability);
   require(min_agreement >= 0.0 && min_agreement <= 1.0, "min_agreement", min_agreement, "must be from 0 to 1");
+  require(check_every >= 0, "check_every", check_every, "must be at least 0 (0: never)");
+  require_positive("check_distance_voxels", check_distance_voxels);
   require(max_lost >= 1, "max_lost", max_lost, "must be at least 1");
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }
@@ -79,10 +86,28 @@ FrameStatus LidarOdometry::status_of(const Attempt& attempt) const {
   return status == AlignStatus::Degenerate ? FrameStatus::Degenerate : FrameStatus::Tracked;
 }
 
-void LidarOdometry::merge(const Attempt& attempt) {
+// Of the increment about the sensor's place.
+std::optional<Mat6d> LidarOdometry::covariance_at_sensor(const Attempt& attempt) const {
+  if (!attempt.result.covariance) return std::nullopt;
+  return covariance_about(*attempt.result.covariance,
+                          attempt.world_from_sensor.translation - matcher_->target().origin);
+}
+
+void LidarOdometry::remove_seen_through(const Attempt& attempt) {
+  if (!surfaces_) return;
+  std::vector<Vec3d> places;
+  for (const std::uint32_t i : seen_through(*surfaces_, attempt.fine, attempt.world_from_sensor, voxel_size_))
+    places.push_back(surfaces_->origin + surfaces_->points[i].cast<double>());
+  map_->forget_at(places);
+}
+
+void LidarOdometry::merge(double stamp_s, const Attempt& attempt) {
   const Rigid3& pose = attempt.world_from_sensor;
+  if (options_.remove_seen_through) remove_seen_through(attempt);
   map_->add(attempt.fine, pose);
   map_->forget_beyond(pose.translation, options_.reach_voxels * voxel_size_);
+  if (options_.check_every > 0)
+    self_check_.remember(stamp_s, attempt.source, pose, covariance_at_sensor(attempt), kRememberedVoxels * voxel_size_);
   surfaces_ = std::make_shared<Cloud>(map_->surfaces(pose.translation));
   matcher_ = std::make_shared<NearestMatcher>(*surfaces_);
   keyframe_ = Keyframe{attempt.fine, pose};
@@ -92,11 +117,11 @@ void LidarOdometry::merge(const Attempt& attempt) {
 void LidarOdometry::straighten_start(const Rigid3& first_from_last) {
   Attempt attempt = prepared(start_scan_->cloud, start_scan_->shares, first_from_last);
   attempt.world_from_sensor = keyframe_->world_from_sensor;
-  start_scan_.reset();
   SurfaceMapOptions map_options;
   map_options.voxel_size = voxel_size_;
   map_.emplace(map_options);
-  merge(attempt);
+  self_check_.clear();
+  merge(last_->stamp_s, attempt);
 }
 
 void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, FrameReport& report) {
@@ -112,7 +137,9 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   map_.emplace(map_options);
   Attempt attempt = prepared(scan, {}, Rigid3{});
   attempt.world_from_sensor = report.world_from_camera;
-  merge(attempt);
+  self_check_.clear();
+  num_since_check_ = 0;
+  merge(report.stamp_s, attempt);
   start_scan_.reset();
   if (options_.deskew && !shares.empty()) start_scan_ = StartScan{scan, shares};
   usual_agreement_ = prediction_error_ = 0.0;
@@ -143,36 +170,57 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
     if (status_of(first) == FrameStatus::Lost) start_scan_.reset();
     if (start_scan_) straighten_start(motion_of_sweep(stamp_s, first.world_from_sensor));
   }
+  start_scan_.reset();
   const Attempt attempt = tried(stamp_s, scan, shares);
+  report.status = status_of(attempt);
+  if (report.status == FrameStatus::Tracked) report.drift = checked(attempt);
+  describe(attempt, report);
+  follow(attempt, guess, report);
+  return report;
+}
+
+// What the registration found, whether or not it is used.
+void LidarOdometry::describe(const Attempt& attempt, FrameReport& report) const {
   report.registration = attempt.result.status;
   report.iterations = attempt.iterations;
   report.num_pairs = attempt.result.num_pairs;
   report.overlap = attempt.agreement;
   report.rmse = attempt.rmse;
-  report.covariance = attempt.result.covariance;
+  if (options_.covariance) report.covariance = attempt.result.covariance;
   report.free_motions = attempt.result.free_motions;
   for (FreeMotion& motion : report.free_motions) motion.point += matcher_->target().origin;
-  report.status = status_of(attempt);
-  const bool is_astray = report.status == FrameStatus::Lost || report.status == FrameStatus::Doubtful;
-  num_lost_ = is_astray ? num_lost_ + 1 : 0;
-  if (report.status == FrameStatus::Lost) return report;
+  if (report.status == FrameStatus::Lost) return;
   report.world_from_camera = attempt.world_from_sensor;
   if (attempt.is_straight)
-    report.world_from_camera = attempt.world_from_sensor * part_of(motion_of_sweep(stamp_s, attempt.world_from_sensor),
-                                                                   after_middle(options_.pose_at));
+    report.world_from_camera =
+        attempt.world_from_sensor *
+        part_of(motion_of_sweep(report.stamp_s, attempt.world_from_sensor), after_middle(options_.pose_at));
+}
+
+// Takes a scan's pose for the place of the sensor, unless it is lost or doubtful. One that the self-check contradicts
+// is doubtful, too, but where the map has it: the scans after it are followed from there.
+void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameReport& report) {
+  const bool is_astray = report.status == FrameStatus::Lost || report.status == FrameStatus::Doubtful;
+  num_lost_ = is_astray ? num_lost_ + 1 : 0;
+  if (report.status == FrameStatus::Lost) return;
   usual_agreement_ += (usual_agreement_ == 0.0 ? 1.0 : kForgetting) * (attempt.agreement - usual_agreement_);
-  if (is_astray) return report;
+  if (is_astray) return;
+  num_since_check_ = is_check_due() ? 0 : num_since_check_ + 1;
+  if (report.drift && report.drift->contradicts) {
+    report.status = FrameStatus::Doubtful;
+    report.problem = "a direct registration to a keyframe farther back contradicts";
+  }
   if (attempt.gain_of_deskewing) gain_of_deskewing_ += *attempt.gain_of_deskewing, ++num_trials_;
   const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
   prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
   is_last_degenerate_ = report.status == FrameStatus::Degenerate;
   before_last_ = last_;
-  last_ = StampedPose{stamp_s, attempt.world_from_sensor};
+  last_ = StampedPose{report.stamp_s, attempt.world_from_sensor};
   const Rigid3 since = inverse(keyframe_->world_from_sensor) * attempt.world_from_sensor;
-  report.is_keyframe = !is_astray && (since.translation.norm() > options_.keyframe_distance_voxels * voxel_size_ ||
-                                      angle_between(since, Rigid3{}) > options_.keyframe_angle);
-  if (report.is_keyframe) merge(attempt);
-  return report;
+  const bool is_far = since.translation.norm() > options_.keyframe_distance_voxels * voxel_size_ ||
+                      angle_between(since, Rigid3{}) > options_.keyframe_angle;
+  report.is_keyframe = is_far && report.status != FrameStatus::Doubtful;
+  if (report.is_keyframe) merge(report.stamp_s, attempt);
 }
 
 FrameReport LidarOdometry::add(double stamp_s, const Cloud& scan, const SweepShares& shares,

@@ -11,6 +11,7 @@
 #include "augicp/geometry/trajectory.h"
 #include "augicp/match/matcher.h"
 #include "augicp/odometry/odometry.h"
+#include "augicp/odometry/self_check.h"
 #include "augicp/odometry/surface_map.h"
 #include "augicp/shutter/sweep.h"
 
@@ -35,6 +36,10 @@ struct LidarOptions {
 
   // The map keeps what is within this distance of the sensor, voxels.
   double reach_voxels = 150.0;
+
+  // Surfaces that a keyframe sees through leave the map: what has moved away, see seen_through.h. Off:
+  // one of nine scans of a real corridor is no longer called degenerate with it.
+  bool remove_seen_through = false;
 
   // Registration: the least gate on the distance between a point and a voxel's mean, voxels, and the distance from a
   // plane at which a point counts as on it, voxels.
@@ -61,6 +66,11 @@ struct LidarOptions {
   // A scan with less than this part of the usual share of points on the map's surfaces is doubtful, and is lost with
   // less than half of that.
   double min_agreement = 0.6;
+
+  // The self-check: every so many scans, one is also registered directly to a single keyframe about this far back,
+  // voxels (see self_check.h). Where the two contradict, the scan is Doubtful. 0: never.
+  int check_every = 10;
+  double check_distance_voxels = 15.0;
 
   // After this number of lost or doubtful scans in a row, the next one starts a new segment of the trajectory.
   int max_lost = 10;
@@ -90,6 +100,9 @@ class LidarOdometry {
   // The surfaces of the map, in the frame of the first scan.
   Cloud map() const;
 
+  // The size of the map. It is bounded by the reach, and does not grow with the number of scans.
+  std::size_t num_voxels() const { return map_ ? map_->num_voxels() : 0; }
+
   // The voxel size in use, metres; 0 before the first scan.
   double voxel_size() const { return voxel_size_; }
 
@@ -112,12 +125,20 @@ class LidarOdometry {
   void start_segment(const Cloud& scan, const SweepShares& shares, FrameReport& report);
   void straighten_start(const Rigid3& first_from_last);
   Attempt prepared(const Cloud& scan, const SweepShares& shares, const Rigid3& first_from_last) const;
+  AlignOptions align_options() const;
   void align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const;
   Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   Attempt tried(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   void search(Attempt& attempt) const;
+  bool is_check_due() const;
+  bool wants_covariance() const;
+  std::optional<DriftCheck> checked(const Attempt& attempt) const;
+  std::optional<Mat6d> covariance_at_sensor(const Attempt& attempt) const;
   FrameStatus status_of(const Attempt& attempt) const;
-  void merge(const Attempt& attempt);
+  void remove_seen_through(const Attempt& attempt);
+  void merge(double stamp_s, const Attempt& attempt);
+  void describe(const Attempt& attempt, FrameReport& report) const;
+  void follow(const Attempt& attempt, const Rigid3& guess, FrameReport& report);
 
   LidarOptions options_;
   double voxel_size_ = 0.0;
@@ -125,6 +146,8 @@ class LidarOdometry {
   std::shared_ptr<const Cloud> surfaces_;
   std::shared_ptr<const Matcher> matcher_;
   std::optional<Keyframe> keyframe_;
+  SelfCheck self_check_;
+  int num_since_check_ = 0;
   std::optional<StartScan> start_scan_;            // as it came, until a second one tells how the sensor moved
   std::optional<StampedPose> before_last_, last_;  // of this segment
   std::optional<double> last_stamp_s_;             // of any scan

@@ -104,16 +104,26 @@ TEST(LidarOdometry, StandstillDoesNotDrift) {
 }
 
 TEST(LidarOdometry, GivesTheSameBitsOnAnyNumberOfThreads) {
-  std::vector<Rigid3> first;
-  for (const int num_threads : {1, 2, 3}) {
+  std::vector<FrameReport> first;
+  Cloud first_map;
+  for (int num_threads = 1; num_threads <= 8; ++num_threads) {
     LidarOptions options;
     options.num_threads = num_threads;
+    options.covariance = true;
+    options.check_every = 2;
     LidarOdometry odometry(options);
     for (std::size_t k = 0; k < 4; ++k) {
-      const Rigid3 pose = odometry.add(drive()[k].stamp_s, drive()[k].cloud, drive()[k].shares).world_from_camera;
-      if (num_threads == 1) first.push_back(pose);
-      EXPECT_EQ(pose.matrix(), first[k].matrix());
+      const FrameReport report = odometry.add(drive()[k].stamp_s, drive()[k].cloud, drive()[k].shares);
+      if (num_threads == 1) first.push_back(report);
+      EXPECT_EQ(report.world_from_camera.matrix(), first[k].world_from_camera.matrix());
+      EXPECT_EQ(report.covariance, first[k].covariance);
+      ASSERT_EQ(report.drift.has_value(), first[k].drift.has_value());
+      EXPECT_EQ(report.drift ? report.drift->drift_m : 0.0, first[k].drift ? first[k].drift->drift_m : 0.0);
     }
+    EXPECT_TRUE(first[2].drift);
+    if (num_threads == 1) first_map = odometry.map();
+    EXPECT_EQ(odometry.map().points, first_map.points);
+    EXPECT_EQ(odometry.map().directions, first_map.directions);
   }
 }
 

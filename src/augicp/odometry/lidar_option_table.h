@@ -18,6 +18,8 @@ void for_each_option(Options& options, const Visit& visit) {
   visit({"keyframe_angle", Radians, kGroup, "So is a scan turned this much"}, options.keyframe_angle);
   visit({"reach_voxels", None, kGroup, "The map keeps what is within this distance of the sensor, voxels"},
         options.reach_voxels);
+  visit({"remove_seen_through", None, kGroup, "Surfaces that a keyframe sees through leave the map"},
+        options.remove_seen_through);
   visit({"gate_voxels", None, kGroup, "Least gate on the distance between a point and a voxel's mean, voxels"},
         options.gate_voxels);
   visit({"on_surface_voxels", None, kGroup, "A point counts as on a surface that is nearer than this, voxels"},
@@ -32,6 +34,10 @@ void for_each_option(Options& options, const Visit& visit) {
         options.min_observability);
   visit({"min_agreement", None, kGroup, "Doubtful below this part of the usual share of points on surfaces"},
         options.min_agreement);
+  visit({"check_every", None, kGroup, "Every N-th scan is checked against a keyframe farther back; 0: none"},
+        options.check_every);
+  visit({"check_distance_voxels", None, kGroup, "This keyframe is about this far back, voxels"},
+        options.check_distance_voxels);
   visit({"max_lost", None, kGroup, "A new segment starts after this number of lost or doubtful scans in a row"},
         options.max_lost);
   visit({"covariance", None, kGroup, "Each tracked scan has the covariance of its pose"}, options.covariance);

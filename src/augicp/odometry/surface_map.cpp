@@ -2,6 +2,8 @@
 #include "augicp/odometry/surface_map.h"
 
 #include <cmath>
+#include <unordered_set>
+#include <utility>
 
 #include "augicp/core/check.h"
 
@@ -80,6 +82,14 @@ std::uint64_t SurfaceMap::key_of(const Index& index) {
   return key;
 }
 
+// None beyond the grid.
+std::optional<SurfaceMap::Index> SurfaceMap::index_at(const Vec3d& place_in_map) const {
+  const Vec3d cell = (place_in_map / options_.voxel_size).array().floor();
+  if (!(cell.cwiseAbs().maxCoeff() < kMaxIndex)) return std::nullopt;
+  return Index{static_cast<std::int32_t>(cell[0]), static_cast<std::int32_t>(cell[1]),
+               static_cast<std::int32_t>(cell[2])};
+}
+
 SurfaceMap::Sums& SurfaceMap::sums_at(const Index& index) {
   const auto [found, is_new] = place_.try_emplace(key_of(index), static_cast<std::uint32_t>(voxels_.size()));
   if (is_new) {
@@ -96,10 +106,9 @@ void SurfaceMap::add(const Cloud& scan, const Rigid3& map_from_scan) {
   const Vec3d origin = map_from_scan * scan.origin;
   for (const Vec3f& point : scan.points) {
     const Vec3d in_map = origin + rotation * point.cast<double>();
-    const Vec3d cell = (in_map / options_.voxel_size).array().floor();
-    if (!(cell.cwiseAbs().maxCoeff() < kMaxIndex)) continue;
-    Sums& sums = sums_at(
-        {static_cast<std::int32_t>(cell[0]), static_cast<std::int32_t>(cell[1]), static_cast<std::int32_t>(cell[2])});
+    const std::optional<Index> index = index_at(in_map);
+    if (!index) continue;
+    Sums& sums = sums_at(*index);
     if (sums.count >= options_.max_count) sums.scale((options_.max_count - 1.0) / sums.count);
     const Vec3d offset = in_map - sums.centre;
     sums.count += 1.0;
@@ -113,14 +122,27 @@ void SurfaceMap::add(const Cloud& scan, const Rigid3& map_from_scan) {
   ++num_scans_;
 }
 
-void SurfaceMap::forget_beyond(const Vec3d& centre_in_map, double distance) {
+// The voxels that are kept stay in their order.
+template <typename Keep>
+void SurfaceMap::keep_if(const Keep& keep) {
   std::vector<Voxel> kept;
   for (const Voxel& voxel : voxels_)
-    if ((voxel.sums.centre - centre_in_map).norm() <= distance) kept.push_back(voxel);
+    if (keep(voxel)) kept.push_back(voxel);
   if (kept.size() == voxels_.size()) return;
   voxels_ = std::move(kept);
   place_.clear();
   for (std::uint32_t i = 0; i < voxels_.size(); ++i) place_.emplace(key_of(voxels_[i].index), i);
+}
+
+void SurfaceMap::forget_beyond(const Vec3d& centre_in_map, double distance) {
+  keep_if([&](const Voxel& voxel) { return (voxel.sums.centre - centre_in_map).norm() <= distance; });
+}
+
+void SurfaceMap::forget_at(const std::vector<Vec3d>& places_in_map) {
+  std::unordered_set<std::uint64_t> gone;
+  for (const Vec3d& place : places_in_map)
+    if (const std::optional<Index> index = index_at(place)) gone.insert(key_of(*index));
+  if (!gone.empty()) keep_if([&](const Voxel& voxel) { return !gone.contains(key_of(voxel.index)); });
 }
 
 Shape SurfaceMap::shape_of(const Sums& sums) const {
@@ -208,11 +230,9 @@ void SurfaceMap::describe(Cloud& cloud, const Rigid3& map_from_cloud) const {
   cloud.directions.assign(cloud.size(), Vec3f::Zero());
   cloud.structures.assign(cloud.size(), Structure::None);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Vec3d cell =
-        ((map_from_cloud * (cloud.origin + cloud.points[i].cast<double>())) / options_.voxel_size).array().floor();
-    if (!(cell.cwiseAbs().maxCoeff() < kMaxIndex)) continue;
-    const auto found = place_.find(key_of(
-        {static_cast<std::int32_t>(cell[0]), static_cast<std::int32_t>(cell[1]), static_cast<std::int32_t>(cell[2])}));
+    const std::optional<Index> index = index_at(map_from_cloud * (cloud.origin + cloud.points[i].cast<double>()));
+    if (!index) continue;
+    const auto found = place_.find(key_of(*index));
     if (found == place_.end() || shapes[found->second].structure == Structure::None) continue;
     const Shape& shape = shapes[found->second];
     cloud.structures[i] = shape.structure;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -42,6 +43,9 @@ class SurfaceMap {
   // Removes the voxels whose centre is farther from a place than this, metres.
   void forget_beyond(const Vec3d& centre_in_map, double distance);
 
+  // Removes the voxels in which these places lie. Places without a voxel are ignored.
+  void forget_at(const std::vector<Vec3d>& places_in_map);
+
   // One extended point a voxel that shows a surface: its mean, and the normal or tangent. Where a voxel has too few
   // points to show one (far from the sensor), the plane of the voxel of twice or four times the size around it is
   // taken, and the mean is moved onto that plane. The cloud's origin is the given one.
@@ -75,6 +79,9 @@ class SurfaceMap {
   struct Level;
 
   static std::uint64_t key_of(const Index& index);
+  std::optional<Index> index_at(const Vec3d& place_in_map) const;
+  template <typename Keep>
+  void keep_if(const Keep& keep);
   Sums& sums_at(const Index& index);
   Shape shape_of(const Sums& sums) const;
   Level coarser_level(int factor) const;

@@ -140,6 +140,21 @@ TEST(SurfaceMap, ForgetsWhatIsFarAndKeepsTheRest) {
   EXPECT_EQ(map.num_voxels(), 36u);
 }
 
+TEST(SurfaceMap, ForgetsTheVoxelsOfPlaces) {
+  SurfaceMap map(voxels_of(1.0)), rest(voxels_of(1.0));
+  const Cloud plane = noisy_plane(5000, 1);
+  map.add(plane, Rigid3{});
+  Cloud others;
+  for (const Vec3f& point : plane.points)
+    if (point.x() < 0.0f || point.x() >= 1.0f || point.y() < 0.0f || point.y() >= 1.0f) others.points.push_back(point);
+  rest.add(others, Rigid3{});
+  map.forget_at({{0.1, 0.9, 0.2}, {0.5, 0.5, 0.9}, {50.0, 0.0, 0.0}, {1e30, 0.0, 0.0}});
+  EXPECT_EQ(map.num_voxels(), 35u);
+  const Cloud kept = map.surfaces(Vec3d::Zero()), expected = rest.surfaces(Vec3d::Zero());
+  EXPECT_EQ(kept.points, expected.points);
+  EXPECT_EQ(kept.directions, expected.directions);
+}
+
 TEST(SurfaceMap, DoesNotGrowWithScansOfTheSamePlace) {
   SurfaceMap map(voxels_of(1.0));
   for (unsigned scan = 0; scan < 50; ++scan) map.add(noisy_plane(2000, scan), Rigid3{});

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// LidarOdometry under conditions that runs meet: dropped scans, standstill, starting while moving, traffic.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "augicp/geometry/rotation.h"
+#include "augicp/odometry/lidar_odometry.h"
+#include "augicp/synthetic/lidar.h"
+#include "augicp/synthetic/outdoor_scenes.h"
+#include "augicp/testing/matchers.h"
+
+namespace augicp {
+namespace {
+
+using synthetic::Motion;
+using testing::NearPose;
+
+constexpr double kSweep_s = 0.1;
+
+synthetic::Lidar street_lidar() {
+  synthetic::Lidar lidar;
+  lidar.num_rings = 32;
+  lidar.num_azimuths = 360;
+  lidar.sweep_s = kSweep_s;
+  return lidar;
+}
+
+synthetic::World street() { return {synthetic::street(5), {}}; }
+
+Motion from_start(const Rigid3& motion_of_one_second) {
+  return synthetic::moving_evenly(street().scene.world_from_camera, motion_of_one_second);
+}
+
+Motion straight(double speed) { return from_start({Eigen::Quaterniond::Identity(), {speed, 0.0, 0.0}}); }
+
+struct Drive {
+  synthetic::World world;
+  Motion motion;
+  std::vector<int> sweeps;  // numbers of those that arrive
+  LidarOptions options;
+};
+
+std::vector<int> first(int count) {
+  std::vector<int> all;
+  for (int k = 0; k < count; ++k) all.push_back(k);
+  return all;
+}
+
+std::vector<FrameReport> tracked(const Drive& drive) {
+  LidarOptions options = drive.options;
+  options.num_threads = 1;
+  LidarOdometry odometry(options);
+  std::vector<FrameReport> reports;
+  for (const int k : drive.sweeps) {
+    const double begin_s = k * kSweep_s;
+    const synthetic::Sweep sweep =
+        synthetic::scan(drive.world, street_lidar(), drive.motion, static_cast<unsigned>(k + 1), begin_s);
+    reports.push_back(odometry.add(begin_s, sweep.cloud, shares_from_times(sweep.times_s)));
+  }
+  return reports;
+}
+
+// Each sweep after the first is tracked, and the sensor is where it truly was in the middle of the sweep, in the frame
+// of the middle of the first.
+void expect_true_poses(const Drive& drive, double max_angle_rad, double max_distance_m) {
+  const std::vector<FrameReport> reports = tracked(drive);
+  const Rigid3 first_from_world = inverse(drive.motion((drive.sweeps[0] + 0.5) * kSweep_s));
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    EXPECT_EQ(reports[k].status, k == 0 ? FrameStatus::Started : FrameStatus::Tracked) << "sweep " << drive.sweeps[k];
+    const Rigid3 true_one = first_from_world * drive.motion((drive.sweeps[k] + 0.5) * kSweep_s);
+    EXPECT_THAT(reports[k].world_from_camera, NearPose(true_one, max_angle_rad, max_distance_m))
+        << "sweep " << drive.sweeps[k];
+  }
+}
+
+TEST(LidarConditions, DroppedScans) {
+  expect_true_poses({street(), straight(6.0), {0, 1, 2, 5, 6, 10, 11, 12}, {}}, 0.003, 0.03);
+}
+
+TEST(LidarConditions, StartingWhileMoving) { expect_true_poses({street(), straight(15.0), first(6), {}}, 0.003, 0.08); }
+
+TEST(LidarConditions, StartingWhileTurning) {
+  expect_true_poses({street(), from_start({rotation_exp({0.0, 0.0, 1.0}), {2.0, 0.0, 0.0}}), first(6), {}}, 0.004,
+                    0.04);
+}
+
+// It stands for a second, and starts with 4 m/s^2.
+TEST(LidarConditions, StartingFromStandstill) {
+  const Motion motion = [](double time_s) {
+    const double t = std::max(0.0, time_s - 1.0);
+    return street().scene.world_from_camera * Rigid3{Eigen::Quaterniond::Identity(), {2.0 * t * t, 0.0, 0.0}};
+  };
+  expect_true_poses({street(), motion, first(18), {}}, 0.003, 0.03);
+}
+
+synthetic::MovingObject vehicle(const Vec3d& place, const Vec3d& velocity, const Vec3d& size) {
+  synthetic::MovingObject object;
+  add_box(object.scene, {Eigen::Quaterniond::Identity(), {0.0, 0.0, 0.5 * size.z()}}, size);
+  object.world_from_object =
+      synthetic::moving_evenly({Eigen::Quaterniond::Identity(), place}, {Eigen::Quaterniond::Identity(), velocity});
+  return object;
+}
+
+// A van ahead with the sensor's own speed, oncoming cars, and a lorry that overtakes.
+synthetic::World busy_street() {
+  synthetic::World world = street();
+  const double x = world.scene.world_from_camera.translation.x();
+  world.moving = {vehicle({x + 9.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, {5.5, 2.0, 2.6}),
+                  vehicle({x + 14.0, 2.6, 0.0}, {-9.0, 0.0, 0.0}, {4.4, 1.8, 1.5}),
+                  vehicle({x + 30.0, 2.6, 0.0}, {-9.0, 0.0, 0.0}, {4.2, 1.8, 1.6}),
+                  vehicle({x - 14.0, -2.9, 0.0}, {11.0, 0.0, 0.0}, {9.0, 2.4, 3.4})};
+  return world;
+}
+
+TEST(LidarConditions, MovingTraffic) { expect_true_poses({busy_street(), straight(5.0), first(12), {}}, 0.003, 0.04); }
+
+TEST(LidarConditions, StandingInTraffic) {
+  expect_true_poses({busy_street(), synthetic::standing_at(street().scene.world_from_camera), first(12), {}}, 0.001,
+                    0.006);
+}
+
+TEST(LidarConditions, EveryNthScanIsCheckedAgainstAKeyframeFartherBack) {
+  Drive drive{street(), straight(6.0), first(10), {}};
+  drive.options.check_every = 3;
+  const std::vector<FrameReport> reports = tracked(drive);
+  const Rigid3 first_from_world = inverse(drive.motion(0.5 * kSweep_s));
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    ASSERT_EQ(reports[k].drift.has_value(), k > 0 && k % 3 == 0) << "sweep " << k;
+    if (!reports[k].drift) continue;
+    const DriftCheck& check = *reports[k].drift;
+    EXPECT_EQ(check.keyframe_stamp_s, 0.0);
+    EXPECT_FALSE(check.contradicts);
+    EXPECT_THAT(check.keyframe_from_sensor,
+                NearPose(first_from_world * drive.motion((static_cast<double>(k) + 0.5) * kSweep_s), 0.003, 0.03));
+    EXPECT_LT(check.drift_m, 0.03);
+  }
+}
+
+TEST(LidarConditions, TheSelfCheckCanBeLeftOut) {
+  Drive drive{street(), straight(6.0), first(12), {}};
+  drive.options.check_every = 0;
+  for (const FrameReport& report : tracked(drive)) EXPECT_FALSE(report.drift);
+}
+
+// Points of the map in the frame of the world, inside an upright box on the ground.
+std::size_t num_in_box(const LidarOdometry& odometry, const Rigid3& world_from_first, const Vec3d& foot,
+                       const Vec3d& size) {
+  std::size_t count = 0;
+  const Cloud map = odometry.map();
+  for (const Vec3f& point : map.points) {
+    const Vec3d from_foot = world_from_first * (map.origin + point.cast<double>()) - foot;
+    const bool is_inside = std::abs(from_foot.x()) < 0.5 * size.x() && std::abs(from_foot.y()) < 0.5 * size.y() &&
+                           from_foot.z() > 0.4 && from_foot.z() < size.z();
+    count += is_inside;
+  }
+  return count;
+}
+
+// A lorry that stands ahead on the left, and drives away after half a second: the map holds it, and loses it again once
+// keyframes have seen what was behind.
+TEST(LidarConditions, WhatDrivesAwayLeavesTheMap) {
+  const Vec3d sensor = street().scene.world_from_camera.translation;
+  const double beside = sensor.y() > 0.0 ? -2.2 : 2.2;  // in the road, free of what is parked
+  const Vec3d place(sensor.x() + 12.0, sensor.y() + beside, 0.0);
+  const Vec3d size(7.0, 2.0, 3.2);
+  for (const bool is_removed : {true, false}) {
+    synthetic::World world = street();
+    world.moving = {vehicle(Vec3d::Zero(), Vec3d::Zero(), size)};
+    world.moving[0].world_from_object = [&](double time_s) {
+      return Rigid3{Eigen::Quaterniond::Identity(), place + Vec3d(15.0 * std::max(0.0, time_s - 0.5), 0.0, 0.0)};
+    };
+    LidarOptions options;
+    options.num_threads = 1;
+    options.remove_seen_through = is_removed;
+    LidarOdometry odometry(options);
+    const Motion motion = straight(6.0);
+    std::size_t num_while_there = 0;
+    for (int k = 0; k < 16; ++k) {
+      const synthetic::Sweep sweep =
+          synthetic::scan(world, street_lidar(), motion, static_cast<unsigned>(k), k * kSweep_s);
+      odometry.add(k * kSweep_s, sweep.cloud, shares_from_times(sweep.times_s));
+      if (k == 4) num_while_there = num_in_box(odometry, motion(0.5 * kSweep_s), place, size);
+    }
+    const std::size_t num_afterwards = num_in_box(odometry, motion(0.5 * kSweep_s), place, size);
+    EXPECT_GT(num_while_there, 10u);
+    if (is_removed) {
+      EXPECT_LT(num_afterwards, num_while_there / 5) << num_while_there;
+    } else {
+      EXPECT_GT(num_afterwards, num_while_there / 2) << num_while_there;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace augicp
