@@ -3,6 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <limits>
+#include <optional>
+
 #include "apps/augicp/command/choice.h"
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/odometry_output.h"
@@ -14,6 +17,7 @@
 #include "augicp/io/trajectory_file.h"
 #include "augicp/io/write_cloud.h"
 #include "augicp/odometry/lidar_option_table.h"
+#include "augicp/odometry/map_archive.h"
 
 namespace augicp::app {
 namespace {
@@ -21,6 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSaveEvery_ms = 5000.0;
+
+// A map with more points is written in tiles with edges of this length, metres.
+constexpr std::size_t kMaxPointsOfAMap = 2'000'000;
+constexpr double kTile = 100.0;
 
 FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, const LidarInput& input, std::size_t row,
                       int segment) {
@@ -73,7 +81,25 @@ void save(const OdometryRun& run, const fs::path& folder) {
   });
 }
 
-OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry) {
+// The map of the run so far, from what the odometry remembers.
+void update(std::optional<MapArchive>& map, const LidarOdometry& odometry, const FrameReport& report, bool is_last) {
+  if (!has_pose(report.status)) return;
+  const Vec3d& place = report.world_from_camera.translation;
+  if (!map) map.emplace(odometry.voxel_size(), odometry.reach());
+  if (is_last || map->is_due(place)) map->update(odometry.map(), place);
+}
+
+// One file, or if it would be large, one for each square, whose name ends in the square's number along x and y.
+void write_map(const fs::path& path, const MapArchive& map) {
+  const bool is_large = map.size() > kMaxPointsOfAMap;
+  for (const auto& [number, cloud] : map.tiles(is_large ? kTile : std::numeric_limits<double>::infinity())) {
+    const std::string name =
+        fmt::format("{}_{}_{}{}", path.stem().string(), number[0], number[1], path.extension().string());
+    write_whole([&, &tile = cloud] { write_cloud(is_large ? path.parent_path() / name : path, tile); });
+  }
+}
+
+OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::optional<MapArchive>* map) {
   OdometryRun run{input.name, input.sequence.layout, {}, 0.0, {}, {}};
   run.point_times = input.point_times.in_words;
   ProgressBar bar(input.chosen.size(), "scans", input.progress);
@@ -85,6 +111,7 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry) {
     FrameRow row{frame, scan.path, {}, 0.0};
     row.report = report_on(odometry, scan, input, run.rows.size(), segment);
     segment = row.report.segment;
+    if (map) update(*map, odometry, row.report, frame == input.chosen.back());
     row.time_ms = all.elapsed_ms() - run.total_ms;
     run.total_ms = all.elapsed_ms();
     run.rows.push_back(std::move(row));
@@ -112,7 +139,7 @@ void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
   command.add_option("--map-voxel", arguments.odometry.voxel_size, "Voxels of the map, metres (default: derived)")
       ->group(group);
   add_options(command, arguments.odometry, {"remove_seen_through", "deskew", "check_every", "check_distance_voxels"});
-  command.add_option("--map", arguments.map, "Write the surfaces around the last pose, .ply or .pcd")->group(group);
+  command.add_option("--map", arguments.map, "Write the map, .ply or .pcd; large ones in tiles of 100 m")->group(group);
 }
 
 OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& arguments) {
@@ -120,11 +147,11 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   options.covariance = true;
   if (input.sequence.has_stamps) options.sweep_s = input.point_times.sweep_s;
   LidarOdometry odometry(options);
-  OdometryRun run = track_scans(input, odometry);
+  std::optional<MapArchive> map;
+  OdometryRun run = track_scans(input, odometry, arguments.map.empty() ? nullptr : &map);
   require_readable(run, "scan");
   save(run, input.output);
-  const Cloud map = odometry.map();
-  if (!arguments.map.empty() && !map.empty()) write_whole([&] { write_cloud(arguments.map, map); });
+  if (map && map->size() > 0) write_map(arguments.map, *map);
   return run;
 }
 

@@ -103,6 +103,9 @@ class LidarOdometry {
   // The size of the map. It is bounded by the reach, and does not grow with the number of scans.
   std::size_t num_voxels() const { return map_ ? map_->num_voxels() : 0; }
 
+  // How far around the sensor the map reaches, metres; 0 before the first scan.
+  double reach() const { return options_.reach_voxels * voxel_size_; }
+
   // The voxel size in use, metres; 0 before the first scan.
   double voxel_size() const { return voxel_size_; }
 

@@ -2,6 +2,7 @@
 #include "augicp/odometry/surface_map.h"
 
 #include <cmath>
+#include <limits>
 #include <unordered_set>
 #include <utility>
 
@@ -74,6 +75,12 @@ Gaussian SurfaceMap::Sums::gaussian() const {
 void SurfaceMap::Sums::scale(double factor) {
   count *= factor, sum *= factor, outer *= factor;
   elevation *= factor, elevation_sq *= factor;
+  intensity *= factor, intensity_count *= factor;
+}
+
+float SurfaceMap::Sums::mean_intensity() const {
+  return intensity_count > 0.0 ? static_cast<float>(intensity / intensity_count)
+                               : std::numeric_limits<float>::quiet_NaN();
 }
 
 std::uint64_t SurfaceMap::key_of(const Index& index) {
@@ -104,7 +111,8 @@ SurfaceMap::Sums& SurfaceMap::sums_at(const Index& index) {
 void SurfaceMap::add(const Cloud& scan, const Rigid3& map_from_scan) {
   const Mat3d rotation = map_from_scan.rotation.toRotationMatrix();
   const Vec3d origin = map_from_scan * scan.origin;
-  for (const Vec3f& point : scan.points) {
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const Vec3f& point = scan.points[i];
     const Vec3d in_map = origin + rotation * point.cast<double>();
     const std::optional<Index> index = index_at(in_map);
     if (!index) continue;
@@ -117,6 +125,8 @@ void SurfaceMap::add(const Cloud& scan, const Rigid3& map_from_scan) {
     const double elevation = elevation_of(scan.origin + point.cast<double>());
     sums.elevation += elevation;
     sums.elevation_sq += elevation * elevation;
+    if (scan.has_intensities() && !std::isnan(scan.intensities[i]))
+      sums.intensity += static_cast<double>(scan.intensities[i]), sums.intensity_count += 1.0;
     if (sums.last_scan != num_scans_) ++sums.num_scans, sums.last_scan = num_scans_;
   }
   ++num_scans_;
@@ -210,6 +220,7 @@ Cloud SurfaceMap::surfaces(const Vec3d& origin_in_map) const {
   Cloud cloud;
   cloud.origin = origin_in_map;
   const std::vector<Level> coarser = coarser_levels();
+  bool has_intensities = false;
   for (const Voxel& voxel : voxels_) {
     Vec3d mean;
     const Shape shape = shape_in(voxel, coarser, options_.thresholds.min_points, mean);
@@ -217,7 +228,10 @@ Cloud SurfaceMap::surfaces(const Vec3d& origin_in_map) const {
     cloud.points.push_back((mean - origin_in_map).cast<float>());
     cloud.directions.push_back(shape.direction.cast<float>());
     cloud.structures.push_back(shape.structure);
+    cloud.intensities.push_back(voxel.sums.mean_intensity());
+    has_intensities = has_intensities || voxel.sums.intensity_count > 0.0;
   }
+  if (!has_intensities) cloud.intensities.clear();
   return cloud;
 }
 

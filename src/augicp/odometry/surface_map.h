@@ -48,7 +48,8 @@ class SurfaceMap {
 
   // One extended point a voxel that shows a surface: its mean, and the normal or tangent. Where a voxel has too few
   // points to show one (far from the sensor), the plane of the voxel of twice or four times the size around it is
-  // taken, and the mean is moved onto that plane. The cloud's origin is the given one.
+  // taken, and the mean is moved onto that plane. The cloud's origin is the given one. Intensities are those of
+  // the scans' points, averaged; NaN where none is known.
   Cloud surfaces(const Vec3d& origin_in_map) const;
 
   // Directions and structures for a cloud from the surfaces of the voxels in which its points lie, found as for
@@ -65,12 +66,14 @@ class SurfaceMap {
     Vec3d sum = Vec3d::Zero();
     Mat3d outer = Mat3d::Zero();
     double elevation = 0.0, elevation_sq = 0.0;  // sines, in the scans' frames
+    double intensity = 0.0, intensity_count = 0.0;
     int num_scans = 0;
     int last_scan = -1;
     void add(const Sums& other);
     void scale(double factor);
     Gaussian gaussian() const;
     bool is_of_one_ring() const;
+    float mean_intensity() const;
   };
   struct Voxel {
     Index index{};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -138,6 +139,27 @@ TEST(SurfaceMap, ForgetsWhatIsFarAndKeepsTheRest) {
   EXPECT_EQ(map.num_voxels(), 36u);
   map.add(noisy_plane(5000, 3), {Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}});
   EXPECT_EQ(map.num_voxels(), 36u);
+}
+
+TEST(SurfaceMap, IntensitiesAreAveragedWhereTheyAreKnown) {
+  Cloud left = noisy_plane(5000, 1);
+  left.intensities.resize(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i)
+    left.intensities[i] = left.points[i].x() < 0.0f ? std::numeric_limits<float>::quiet_NaN()
+                          : i % 2 == 0              ? 0.2f
+                                                    : 0.4f;
+  SurfaceMap map(voxels_of(1.0));
+  map.add(left, Rigid3{});
+  const Cloud surfaces = map.surfaces(Vec3d::Zero());
+  ASSERT_TRUE(surfaces.has_intensities());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const float intensity = surfaces.intensities[i];
+    EXPECT_TRUE(surfaces.points[i].x() < 0.0f ? std::isnan(intensity) : std::abs(intensity - 0.3f) < 0.03f)
+        << intensity;
+  }
+  SurfaceMap bare(voxels_of(1.0));
+  bare.add(noisy_plane(5000, 1), Rigid3{});
+  EXPECT_TRUE(bare.surfaces(Vec3d::Zero()).intensities.empty());
 }
 
 TEST(SurfaceMap, ForgetsTheVoxelsOfPlaces) {
