@@ -13,17 +13,24 @@ namespace {
 
 namespace py = pybind11;
 
-// The result does not keep the prepared scans: they are larger than the clouds, and few results are reported.
+// The result does not keep the prepared scans: they are larger than the clouds, and few results are reported. Whether
+// they are those of a final pass, only the registration tells.
+PreparedPair prepared_again(const ResultInputs& inputs, const RegistrationOptions& options) {
+  if (!options.final_pass) return prepare_pair(*inputs.source, *inputs.target, options);
+  return register_scans(*inputs.source, *inputs.target, inputs.initial, options).prepared;
+}
+
 std::string page_of(const Result& result, const ResultInputs& inputs, const std::stop_token& stop) {
   RegistrationOptions options = result.options;
   options.stop = stop;
-  const PreparedPair prepared = prepare_pair(*inputs.source, *inputs.target, options);
+  const PreparedPair prepared = prepared_again(inputs, options);
   app::AlignReport report;
   report.source = inputs.source_name;
   report.target = inputs.target_name;
   report.result = result.found;
   report.lengths = prepared.lengths;
   report.options = result.options;
+  app::refer_to(prepared.target.cloud, report);
   return app::align_page({report, inputs.initial, prepared});
 }
 

@@ -80,9 +80,7 @@ AlignRun register_files(const AlignArguments& arguments) {
   report.result = std::move(registration.result);
   report.lengths = registration.prepared.lengths;
   run.prepared = std::move(registration.prepared);
-  report.reference_point = run.prepared.target.cloud.origin;
-  if (const Cloud& target_cloud = run.prepared.target.cloud; !target_cloud.empty())
-    report.centre = target_cloud.origin + median_point(target_cloud).cast<double>();
+  refer_to(run.prepared.target.cloud, report);
   report.num_prepared = {run.prepared.source.cloud.size(), run.prepared.target.cloud.size()};
   return run;
 }

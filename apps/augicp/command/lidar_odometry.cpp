@@ -138,7 +138,7 @@ void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
       ->group(group);
   command.add_option("--map-voxel", arguments.odometry.voxel_size, "Voxels of the map, metres (default: derived)")
       ->group(group);
-  add_options(command, arguments.odometry, {"remove_seen_through", "deskew", "check_every", "check_distance_voxels"});
+  add_options(command, arguments.odometry, {"remove_seen_through", "check_every", "check_distance_voxels"});
   command.add_option("--map", arguments.map, "Write the map, .ply or .pcd; large ones in tiles of 100 m")->group(group);
 }
 

@@ -128,6 +128,11 @@ std::string uncertainty_text(const AlignReport& report) {
 
 }  // namespace
 
+void refer_to(const Cloud& target, AlignReport& report) {
+  report.reference_point = target.origin;
+  if (!target.empty()) report.centre = target.origin + median_point(target).cast<double>();
+}
+
 std::optional<Uncertainty> uncertainty(const AlignReport& report) {
   const AlignResult& result = report.result;
   if (!result.covariance) return {};

@@ -30,6 +30,9 @@ struct AlignReport {
   Vec3d reference_point = Vec3d::Zero();  // about which increments of the covariance rotate, in the target's frame
 };
 
+// Sets the points that its uncertainty refers to, from the prepared target.
+void refer_to(const Cloud& target, AlignReport& report);
+
 // A standard deviation of the pose about the centre of the target, where translation and rotation are what they seem.
 // It does not depend on where the frame's zero is. Absent without a covariance.
 struct Uncertainty {
