@@ -23,7 +23,7 @@ function metres(text) {
 for (const [name, file] of Object.entries(pages))
   test(`${name}: distances have the colours of their noise, with units and a histogram`, () => inPage(browser, file, {}, async (page) => {
     assert.ok(await changes(page, () => colour(page, kDistance)));
-    const ends = (await page.locator(".span-end").allInnerTexts()).map(metres);
+    const ends = (await page.locator(".range-control .span-end").allInnerTexts()).map(metres);
     assert.equal(ends[0], -ends[1]);
     const median = metres(await page.locator("dl div", { hasText: "Distance from the target" }).locator("dd").innerText());
     assert.ok(ends[1] > 2.5 * median && ends[1] < 15 * median, `${ends} ${median}`);
@@ -52,7 +52,7 @@ test("an intensity can be shown if it was compared", async () => {
   writeFileSync(join(folder, "bright.ply"), `${header}${cloud.join("\n")}\n`);
   await inPage(browser, report("bright.html", ["align", "bright.ply", "bright.ply", "--intensity"]), {}, async (page) => {
     assert.ok(await changes(page, () => colour(page, "intensity")));
-    const [low, high] = (await page.locator(".span-end").allInnerTexts()).map(Number);
+    const [low, high] = (await page.locator(".range-control .span-end").allInnerTexts()).map(Number);
     assert.ok(low >= 0 && low < 20 && high > 76 && high <= 97, `${low} ${high}`);
   });
   await inPage(browser, pages.room, {}, async (page) => {
