@@ -21,7 +21,6 @@ bool MapArchive::is_due(const Vec3d& place_in_world) const {
 void MapArchive::update(const Cloud& local_map, const Vec3d& place_in_world) {
   const double near_sq = kReplacedShare * reach_ * kReplacedShare * reach_;
   const auto is_near = [&](const Vec3d& place) { return (place - place_in_world).squaredNorm() < near_sq; };
-  std::erase_if(points_, [&](const auto& entry) { return is_near(entry.second.place); });
   for (std::size_t i = 0; i < local_map.size(); ++i) {
     const Vec3d place = local_map.origin + local_map.points[i].cast<double>();
     const Vec3d cell = (place / voxel_size_).array().floor();

@@ -21,8 +21,9 @@ class MapArchive {
   // Whether the sensor is so far from the place of the last update that surfaces may be forgotten before the next one.
   bool is_due(const Vec3d& place_in_world) const;
 
-  // local_map: of an odometry, see LidarOdometry::map(); the sensor is at this place. Within half of the reach it
-  // replaces what was there, so that what has moved away is gone. Farther away it adds to it.
+  // local_map: of an odometry, see LidarOdometry::map(); the sensor is at this place. Within half of the reach its
+  // points replace those in their voxels. Farther away they fill empty voxels only. Nothing is taken away: where the
+  // sensor comes back, its local map has forgotten the place and has seen little of it again.
   void update(const Cloud& local_map, const Vec3d& place_in_world);
 
   std::size_t size() const { return points_.size(); }

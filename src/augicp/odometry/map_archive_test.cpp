@@ -33,15 +33,17 @@ TEST(MapArchive, KeepsWhatTheOdometryForgets) {
   EXPECT_EQ(all.intensities[2], 0.5f);
 }
 
-// Near the sensor the new map is the truth: what it lacks has moved away. Far away, what was seen from nearer stays.
-TEST(MapArchive, ReplacesWhatIsNearAndKeepsWhatIsFar) {
+// Near the sensor the new points are the better ones; far away, what was seen from nearer stays. What a local map lacks
+// it may have forgotten, as where a loop closes.
+TEST(MapArchive, ReplacesWhatIsNearKeepsWhatIsFarAndTakesNothingAway) {
   MapArchive archive(1.0, 20.0);
   archive.update(level_points({{1.5f, 0.0f, 0.0f}, {2.5f, 0.0f, 0.0f}, {15.5f, 0.0f, 0.0f}}, 0.1f), Vec3d::Zero());
   archive.update(level_points({{2.4f, 0.0f, 0.0f}, {15.4f, 0.0f, 0.0f}}, 0.2f), Vec3d::Zero());
   const Cloud all = all_of(archive);
-  ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all.points[0].x(), 2.4f);
-  EXPECT_EQ(all.points[1].x(), 15.5f);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all.points[0].x(), 1.5f);
+  EXPECT_EQ(all.points[1].x(), 2.4f);
+  EXPECT_EQ(all.points[2].x(), 15.5f);
 }
 
 TEST(MapArchive, TilesDivideTheMap) {
