@@ -73,7 +73,8 @@ AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const Regi
     for (const Rigid3& start : search_starts(pair, guess, options)) results.push_back(full.from(start));
   if (!convinces(results)) append(from_global_starts(pair, full, lead_on, options), results);
   if (results.empty()) return full.from(guess);
-  // Where nothing convinces, a pose that stays at the guess along its free motions is not left for another doubtful one.
+  // Where nothing convinces, a pose that stays at the guess along its free motions is not left for another doubtful
+  // one.
   const bool stays = !options.global && results.front().status == AlignStatus::Degenerate && !convinces(results);
   if (!stays) results = best_first(std::move(results));
   // The evidence compares shapes. Rivals that brightness tells apart look alike to it.
