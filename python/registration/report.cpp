@@ -13,8 +13,8 @@ namespace {
 
 namespace py = pybind11;
 
-// The result does not keep the prepared scans: they are larger than the clouds, and few results are reported. Whether
-// they are those of a final pass, only the registration tells.
+// The result does not keep the prepared scans: they are larger than the clouds, and few results are reported. With a
+// final pass the pair is registered again, because the result does not record which scans it belongs to.
 PreparedPair prepared_again(const ResultInputs& inputs, const RegistrationOptions& options) {
   if (!options.final_pass) return prepare_pair(*inputs.source, *inputs.target, options);
   return register_scans(*inputs.source, *inputs.target, inputs.initial, options).prepared;

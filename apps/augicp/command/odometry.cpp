@@ -18,6 +18,7 @@
 #include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
+#include "apps/augicp/command/sensor.h"
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/kept.h"
 #include "apps/augicp/page/odometry_page.h"
@@ -29,20 +30,6 @@
 #include "augicp/io/trajectory_file.h"
 #include "augicp/odometry/option_table.h"
 #include "augicp/odometry/track.h"
-
-namespace augicp::app {
-namespace {
-
-enum class Sensor { Auto, Depth, Lidar };
-}  // namespace
-}  // namespace augicp::app
-
-namespace augicp {
-template <>
-inline constexpr auto kWords<app::Sensor> = std::to_array<Word<app::Sensor>>({{app::Sensor::Auto, "auto"},
-                                                                              {app::Sensor::Depth, "depth"},
-                                                                              {app::Sensor::Lidar, "lidar"}});
-}  // namespace augicp
 
 namespace augicp::app {
 namespace {

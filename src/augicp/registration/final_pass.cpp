@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "augicp/core/parallel.h"
 #include "augicp/core/stop.h"
 #include "augicp/registration/judge.h"
 #include "augicp/registration/scan_match.h"
@@ -24,18 +23,6 @@ Lengths finer_than(Lengths lengths) {
   lengths.radius *= kFinalShare;
   lengths.voxel_size *= kFinalShare;
   return lengths;
-}
-
-// Both clouds in smaller balls and voxels.
-PreparedPair prepare_finer(RawPair raw, const Lengths& lengths, const RegistrationOptions& options) {
-  RegistrationOptions of_half = options;  // of the threads
-  if (options.num_threads > 1) of_half.num_threads = options.num_threads / 2;
-  const auto prepare_one = [&](std::size_t which, std::size_t) {
-    Scan& scan = which == 0 ? raw.source : raw.target;
-    scan = prepare(std::move(scan), lengths, of_half);
-  };
-  for_each_block(2, options.num_threads, prepare_one, 1);
-  return {std::move(raw.source), std::move(raw.target), lengths};
 }
 
 // The RMS error of a cloud's points that a covariance about zero lets expect, metres: of the translation of their mean,
@@ -92,7 +79,7 @@ bool may_have_final_pass(const Scan& source, const Scan& target, const Registrat
 
 Registration with_final_pass(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
   if (first.result.status != AlignStatus::Converged || !first.result.covariance) return first;
-  PreparedPair finer = prepare_finer(std::move(raw), finer_than(first.prepared.lengths), options);
+  PreparedPair finer = prepare_both(std::move(raw), finer_than(first.prepared.lengths), options);
   throw_if_stopped(options.stop);
   const auto matcher = matcher_for(finer.target, /*projective=*/false, finer.lengths);
   AlignResult again = aligned_again(finer, first.result, *matcher, options);

@@ -108,7 +108,13 @@ PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& o
   const Lengths lengths = lengths_for(source, target, options);
   std::optional<RawPair> raw;
   if (may_have_final_pass(source, target, options)) raw = RawPair{source, target};
-  PreparedPair pair{std::move(source), std::move(target), lengths, std::move(raw)};
+  PreparedPair pair = prepare_both({std::move(source), std::move(target)}, lengths, options);
+  pair.raw = std::move(raw);
+  return pair;
+}
+
+PreparedPair prepare_both(RawPair raw, const Lengths& lengths, const RegistrationOptions& options) {
+  PreparedPair pair{std::move(raw.source), std::move(raw.target), lengths};
   RegistrationOptions of_half = options;  // of the threads
   if (options.num_threads > 1) of_half.num_threads = options.num_threads / 2;
   const auto prepare_one = [&](std::size_t which, std::size_t) {

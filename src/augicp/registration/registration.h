@@ -31,6 +31,9 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
 // Both scans, with the lengths that lengths_for() derives from them.
 PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& options);
 
+// Both scans with given lengths, side by side on the threads.
+PreparedPair prepare_both(RawPair raw, const Lengths& lengths, const RegistrationOptions& options);
+
 // Finds the motion between two prepared scans, and judges it.
 Registration register_pair(PreparedPair pair, const Rigid3& initial_target_from_source = {},
                            const RegistrationOptions& options = {});

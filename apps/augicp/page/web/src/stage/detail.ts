@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many points are drawn while the view moves: as many as keep it smooth. At rest all are drawn.
+// How many points are drawn while the view moves: fewer after a slow picture, more after a fast one. At rest all are
+// drawn.
 import type { Points } from "three";
 
 const kFirst = 250_000;

@@ -9,7 +9,7 @@ export function roundBelow(length: number): number {
 
 const kUnits = [[1000, "km"], [1, "m"], [0.01, "cm"], [0.001, "mm"], [1e-6, "\u00b5m"]] as const;
 
-// Metres with the unit in which the number is at least 1; three digits unless it is told otherwise.
+// A length as text, in the largest unit in which the number is at least 1.
 export function lengthText(length_m: number, digits = 3): string {
   if (length_m === 0) return "0 m";
   const [unit, name] = kUnits.find(([unit]) => Math.abs(length_m) >= unit * (1 - 1e-9)) ?? [1e-6, "\u00b5m"];
