@@ -68,5 +68,20 @@ TEST(Covariance, AboutAnotherPointIsThatOfTheSameMotions) {
   }
 }
 
+// Of the covariance of one increment it is what that increment does, to first order: t + r x place.
+TEST(Covariance, MovesPointsAsItsIncrementsDo) {
+  Cloud cloud;
+  cloud.points = {{1.0f, 2.0f, -3.0f}, {4.0f, 2.5f, -3.0f}, {1.5f, 6.0f, 0.5f}, {-2.0f, 0.0f, 1.0f}};
+  for (int k = 0; k < 6; ++k) {
+    Vec6d increment = 0.1 * Vec6d::Ones();
+    increment[k] = -1.0;
+    double sum_sq = 0.0;
+    for (const Vec3f& point : cloud.points)
+      sum_sq += (increment.head<3>() + increment.tail<3>().cross(point.cast<double>())).squaredNorm();
+    EXPECT_NEAR(rms_motion(increment * increment.transpose(), cloud), std::sqrt(sum_sq / 4.0), 1e-9);
+  }
+  EXPECT_EQ(rms_motion(Mat6d::Identity(), {}), 0.0);
+}
+
 }  // namespace
 }  // namespace augicp

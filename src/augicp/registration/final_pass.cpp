@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/registration/final_pass.h"
 
-#include <cmath>
 #include <utility>
 
 #include "augicp/core/stop.h"
@@ -25,27 +24,6 @@ Lengths finer_than(Lengths lengths) {
   return lengths;
 }
 
-// The RMS error of a cloud's points that a covariance about zero lets expect, metres: of the translation of their mean,
-// and of the rotation about it.
-double expected_error(const Mat6d& covariance, const Cloud& target) {
-  Vec3d mean = Vec3d::Zero();
-  Mat3d second = Mat3d::Zero();
-  for (const Vec3f& point : target.points) {
-    const Vec3d p = point.cast<double>();
-    mean += p;
-    second += p * p.transpose();
-  }
-  const auto count = static_cast<double>(target.size());
-  mean /= count;
-  const Mat3d spread = second / count - mean * mean.transpose();
-  const Mat6d about_mean = covariance_about(covariance, mean);
-  // E |r x p|^2 = trace(C_r (trace(S) I - S)) for rotations r of covariance C_r and points of covariance S.
-  const Mat3d arm = spread.trace() * Mat3d::Identity() - spread;
-  const double translation = about_mean.topLeftCorner<3, 3>().trace();
-  const double rotation = (about_mean.bottomRightCorner<3, 3>() * arm).trace();
-  return std::sqrt(translation + rotation);
-}
-
 // The loop from the first pose, with the iterations that are left.
 AlignResult aligned_again(const ScanPair& finer, const AlignResult& first, const ScanMatcher& matcher,
                           const RegistrationOptions& options) {
@@ -60,7 +38,7 @@ AlignResult aligned_again(const ScanPair& finer, const AlignResult& first, const
 
 bool is_more_certain(const AlignResult& again, const AlignResult& first, const Cloud& target) {
   return again.status == AlignStatus::Converged && again.covariance &&
-         expected_error(*again.covariance, target) < kMaxRatioOfErrors * expected_error(*first.covariance, target);
+         rms_motion(*again.covariance, target) < kMaxRatioOfErrors * rms_motion(*first.covariance, target);
 }
 
 AlignResult judged_like_first(AlignResult again, const ScanPair& first, const Guess& guess,

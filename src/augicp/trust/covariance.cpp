@@ -119,4 +119,22 @@ Mat6d covariance_about(const Mat6d& covariance, const Vec3d& offset) {
   return moved_from_increment * covariance * moved_from_increment.transpose();
 }
 
+double rms_motion(const Mat6d& covariance, const Cloud& cloud) {
+  if (cloud.empty()) return 0.0;
+  Vec3d mean = Vec3d::Zero();
+  Mat3d second = Mat3d::Zero();
+  for (const Vec3f& point : cloud.points) {
+    const Vec3d p = point.cast<double>();
+    mean += p;
+    second += p * p.transpose();
+  }
+  const auto count = static_cast<double>(cloud.size());
+  mean /= count;
+  const Mat3d spread = second / count - mean * mean.transpose();
+  const Mat6d about_mean = covariance_about(covariance, mean);
+  // E |r x p|^2 = trace(C (trace(S) I - S)) for rotations r of covariance C and points p of covariance S about zero.
+  const Mat3d arm = spread.trace() * Mat3d::Identity() - spread;
+  return std::sqrt(about_mean.topLeftCorner<3, 3>().trace() + (about_mean.bottomRightCorner<3, 3>() * arm).trace());
+}
+
 }  // namespace augicp

@@ -35,4 +35,8 @@ std::optional<Mat6d> covariance(const Matcher& matcher, const Solution& solution
 // points, translations are mostly rotations seen from afar; near their centre both are what they seem.
 Mat6d covariance_about(const Mat6d& covariance, const Vec3d& offset);
 
+// The RMS distance by which increments of this covariance, about the points' zero, move the points of a cloud, metres.
+// 0 for an empty cloud.
+double rms_motion(const Mat6d& covariance, const Cloud& cloud);
+
 }  // namespace augicp
