@@ -2,9 +2,11 @@
 #include "augicp/match/range_image.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "augicp/match/cube_cells.h"
+#include "augicp/match/ray_spacing.h"
 
 namespace augicp {
 namespace {
@@ -19,48 +21,8 @@ constexpr int kMinCellsPerEdge = 8, kMaxCellsPerEdge = 256;
 // room mostly 1 % and more do.
 constexpr double kMaxShareBehind = 0.01;
 
-struct FacePoint {
-  int face;    // 0 to 5: axis x, y, z, and three more for its negative side
-  float u, v;  // in [-1, 1] on the face
-};
-
-FacePoint on_cube(const Vec3f& direction) {
-  int axis = 0;
-  const float largest = direction.cwiseAbs().maxCoeff(&axis);
-  const int face = direction[axis] < 0.0f ? axis + 3 : axis;
-  return {face, direction[(axis + 1) % 3] / largest, direction[(axis + 2) % 3] / largest};
-}
-
-// u and v may lie beyond the face's border; the direction then meets another face.
-Vec3f direction_of(const FacePoint& at) {
-  const int axis = at.face % 3;
-  Vec3f direction;
-  direction[axis] = at.face < 3 ? 1.0f : -1.0f;
-  direction[(axis + 1) % 3] = at.u;
-  direction[(axis + 2) % 3] = at.v;
-  return direction;
-}
-
-std::size_t cell_of(const FacePoint& at, int cells_per_edge) {
-  const auto along = [=](float x) {
-    return std::clamp(static_cast<int>((x + 1.0f) * 0.5f * static_cast<float>(cells_per_edge)), 0, cells_per_edge - 1);
-  };
-  return (static_cast<std::size_t>(at.face) * cells_per_edge + along(at.v)) * cells_per_edge + along(at.u);
-}
-
-// The cell and the eight around it; at the cube's corners some are the same.
-std::array<std::size_t, 9> cells_around(const FacePoint& at, int cells_per_edge) {
-  const float step = 2.0f / static_cast<float>(cells_per_edge);
-  std::array<std::size_t, 9> cells{};
-  std::size_t k = 0;
-  for (const float dv : {-step, 0.0f, step})
-    for (const float du : {-step, 0.0f, step})
-      cells[k++] = cell_of(on_cube(direction_of({at.face, at.u + du, at.v + dv})), cells_per_edge);
-  return cells;
-}
-
 std::size_t num_occupied(const std::vector<FacePoint>& points, int cells_per_edge) {
-  std::vector<char> is_occupied(std::size_t{6} * cells_per_edge * cells_per_edge);
+  std::vector<char> is_occupied(num_cube_cells(cells_per_edge));
   for (const FacePoint& at : points) is_occupied[cell_of(at, cells_per_edge)] = 1;
   return static_cast<std::size_t>(std::count(is_occupied.begin(), is_occupied.end(), 1));
 }
@@ -92,8 +54,7 @@ RangeImage::RangeImage(const Cloud& cloud, const Vec3f& place) : cloud_(cloud), 
 }
 
 std::vector<RangeImage::Cell> RangeImage::empty_cells() const {
-  return std::vector<Cell>(std::size_t{6} * cells_per_edge_ * cells_per_edge_,
-                           Cell{std::numeric_limits<float>::infinity(), 0.0f, kNone});
+  return std::vector<Cell>(num_cube_cells(cells_per_edge_), Cell{std::numeric_limits<float>::infinity(), 0.0f, kNone});
 }
 
 void RangeImage::add(std::vector<Cell>& cells, std::size_t cell, std::int32_t point, float range) const {
@@ -146,10 +107,11 @@ bool RangeImage::is_fine_enough() const {
   return static_cast<std::size_t>(num_filled) * kMaxPointsPerCell >= cloud_.size();
 }
 
-std::optional<RangeImage> lines_of_sight(const Cloud& cloud, float tolerance) {
+std::optional<RangeImage> lines_of_sight(const Cloud& cloud, float tolerance, bool place_is_known) {
   if (cloud.empty()) return std::nullopt;
-  RangeImage image(cloud, cloud.viewpoint.value_or((-cloud.origin).cast<float>()));
-  if (!image.is_fine_enough() || !(image.share_behind(tolerance) <= kMaxShareBehind)) return std::nullopt;
+  RangeImage image(cloud, assumed_place(cloud));
+  if (!image.is_fine_enough()) return std::nullopt;
+  if (!place_is_known && !(image.share_behind(tolerance) <= kMaxShareBehind)) return std::nullopt;
   return image;
 }
 

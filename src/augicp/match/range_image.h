@@ -62,9 +62,9 @@ class RangeImage {
   std::vector<Cell> own_, spread_;  // of the points in a cell; and of those in the cells around
 };
 
-// The lines of sight of a cloud, if its sensor's place is known: its viewpoint, or else the zero of its frame. Either
-// must fit: hardly any point lies farther than the tolerance (metres) behind others, as seen from there. None for an
-// empty cloud.
-std::optional<RangeImage> lines_of_sight(const Cloud& cloud, float tolerance);
+// The lines of sight of a cloud from its sensor's assumed place, see ray_spacing.h; none if its cells do not tell the
+// points apart, or for an empty cloud. If the place is not known, it must fit: hardly any point lies farther than the
+// tolerance (metres) behind others, as seen from there.
+std::optional<RangeImage> lines_of_sight(const Cloud& cloud, float tolerance, bool place_is_known = false);
 
 }  // namespace augicp

@@ -7,6 +7,7 @@
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/parallel.h"
 #include "augicp/core/stop.h"
+#include "augicp/match/ray_spacing.h"
 #include "augicp/registration/coarse_to_fine.h"
 #include "augicp/registration/final_pass.h"
 #include "augicp/registration/scan_match.h"
@@ -93,6 +94,7 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
   if (!scan.view) {
     drop_far_outliers(scan.cloud, lengths.extent);
+    scan.place_is_known = is_one_sensors_scan(scan.cloud);
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();

@@ -28,7 +28,8 @@ int step_for(const Scan& scan, int num_columns) { return std::max(1, scan.view->
 
 Scan coarser(const Scan& scan, int num_columns, double voxels, const Lengths& lengths) {
   if (scan.view) return thinned(scan, step_for(scan, num_columns));
-  return {downsample(scan.cloud, feasible_voxel(scan.cloud, voxels * lengths.voxel_size)), std::nullopt};
+  return {downsample(scan.cloud, feasible_voxel(scan.cloud, voxels * lengths.voxel_size)), std::nullopt,
+          scan.place_is_known};
 }
 
 PreparedPair coarser(const ScanPair& pair, int num_columns, double voxels) {

@@ -36,6 +36,20 @@ TEST(Thinned, KeepsThePointsOfTheirPixelsWithAllThatBelongsToThem) {
   EXPECT_EQ(thinned(whole, 1).cloud.points, whole.cloud.points);
 }
 
+// A depth camera's rays are even; prepare() asks before it thins, and what is thinned later keeps the answer.
+TEST(Coarser, TheSensorsPlaceStaysKnown) {
+  const Scan image = room_image();
+  const Lengths lengths = lengths_for(image, image, {});
+  Cloud two_views = image.cloud;
+  for (const Vec3f& point : image.cloud.points) two_views.points.push_back(point + Vec3f(0.37f, 0.21f, 0.11f));
+  two_views.directions.clear(), two_views.structures.clear(), two_views.weights.clear();
+  const Scan one = prepare(scan_of(image.cloud), lengths, {}), two = prepare(scan_of(two_views), lengths, {});
+  EXPECT_TRUE(one.place_is_known);
+  EXPECT_FALSE(two.place_is_known);
+  EXPECT_TRUE(coarser(one, 40, 8.0, lengths).place_is_known);
+  EXPECT_FALSE(coarser(two, 40, 8.0, lengths).place_is_known);
+}
+
 TEST(Coarser, CloudsLosePointsAndImagesColumns) {
   const Scan image = room_image();
   const Lengths lengths = lengths_for(image, image, {});

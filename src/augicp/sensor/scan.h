@@ -17,6 +17,10 @@ struct Scan {
 
   Cloud cloud;
   std::optional<View> view;
+
+  // Whether a cloud without a view is known to be one sensor's scan from its assumed place, see match/ray_spacing.h.
+  // Found by prepare(), before it thins the cloud.
+  bool place_is_known = false;
 };
 
 inline Scan scan_of(Cloud cloud) { return {std::move(cloud), std::nullopt}; }
