@@ -15,7 +15,7 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr int kStateVersion = 1;
+constexpr int kStateVersion = 2;
 
 // A part is visited as one list of numbers, in the same order for writing and reading. Counts are exact in a double up
 // to 2^53.
@@ -96,6 +96,7 @@ template <typename Archive, typename Part>
 void visit_testimony(Archive& archive, Part& testimony) {
   archive.number(testimony.knows_free_space);
   archive.number(testimony.contradicting);
+  archive.number(testimony.off_planes);
   visit_counts(archive, testimony.count);
 }
 

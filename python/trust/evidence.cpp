@@ -41,6 +41,9 @@ void bind_testimony(py::module_& module) {
   type.def_readonly("knows_free_space", &Testimony::knows_free_space, "It is a depth image.");
   type.def_readonly("contradicting", &Testimony::contradicting,
                     "Share, from 0 to 1, of the largest part that leaves the other's surface where that goes on.");
+  type.def_readonly(
+      "off_planes", &Testimony::off_planes,
+      "How well points off the large planes agree, divided by how well those on them do; 1 if not asked.");
 }
 
 void bind_residuals(py::module_& module) {

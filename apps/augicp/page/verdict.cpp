@@ -37,6 +37,11 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
           "Only {:.1f} % of the points that agree are off three bare planes, which fit any other three, and the guess "
           "was {:.1f} radii of gyration away.",
           100.0 * evidence.beyond_planes, evidence.moved);
+    case Doubt::OnlyPlanes:
+      return fmt::format(
+          "The large planes agree far better than what lies off them: the share that agrees off them is {:.0f} % and "
+          "{:.0f} % of that on them.",
+          100.0 * one.off_planes, 100.0 * other.off_planes);
   }
   return {};
 }

@@ -57,6 +57,7 @@ nlohmann::ordered_json testimony_json(const Testimony& testimony) {
           {"conflicting", testimony.conflicting()},
           {"knows_free_space", testimony.knows_free_space},
           {"contradicting", testimony.contradicting},
+          {"off_planes", testimony.off_planes},
           {"num_points", count.total()}};
 }
 

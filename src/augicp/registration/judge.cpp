@@ -37,7 +37,9 @@ double noise_per_depth(const Scan& image) {
 
 Cloud witnesses(const Cloud& cloud) { return evenly_chosen(cloud, kNumWitnesses); }
 
-float sight_tolerance(const Lengths& lengths) { return static_cast<float>(kDistancePerRadius * lengths.radius); }
+std::optional<RangeImage> sights_of(const Scan& scan, const Lengths& lengths) {
+  return lines_of_sight(scan.cloud, static_cast<float>(kDistancePerRadius * lengths.radius), scan.place_is_known);
+}
 
 // The last step of the loop, where the points are. A loop of one iteration has shown no small step.
 void add_last_step(const AlignResult& result, double extent, Evidence& evidence) {
@@ -72,12 +74,12 @@ AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths) {
 std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, const Lengths& lengths) {
   if (projective) return std::make_unique<ProjectiveMatcher>(scan.cloud, scan.view->index, scan.view->camera);
   if (scan.view) return std::make_unique<NearestMatcher>(scan.cloud);
-  return std::make_unique<NearestMatcher>(scan.cloud, lines_of_sight(scan.cloud, sight_tolerance(lengths)));
+  return std::make_unique<NearestMatcher>(scan.cloud, sights_of(scan, lengths));
 }
 
 std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths) {
   if (scan.view) return scan.cloud.viewpoint;
-  const auto seen = lines_of_sight(scan.cloud, sight_tolerance(lengths));
+  const auto seen = sights_of(scan, lengths);
   if (!seen) return std::nullopt;
   return seen->place();
 }
@@ -93,7 +95,13 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
       of_source_(witnesses(pair.source.cloud)),
       of_target_(witnesses(pair.target.cloud)),
       target_says_(pair.target.view ? matcher_for(pair.target, true, pair.lengths) : nullptr),
-      source_says_(matcher_for(pair.source, pair.source.view.has_value(), pair.lengths)) {}
+      source_says_(matcher_for(pair.source, pair.source.view.has_value(), pair.lengths)) {
+  const bool know_free_space =
+      (target_says_ ? *target_says_ : matcher_).knows_free_space() && source_says_->knows_free_space();
+  if (know_free_space) return;
+  on_planes_of_source_ = on_large_planes(of_source_, kDistancePerRadius * pair.lengths.radius);
+  on_planes_of_target_ = on_large_planes(of_target_, kDistancePerRadius * pair.lengths.radius);
+}
 
 std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) const {
   const int num_threads = options_.num_threads;
@@ -119,6 +127,10 @@ Evidence Judge::evidence(const Rigid3& target_from_source) const {
   if (!source_says_->knows_free_space())
     evidence.target_in_source.contradicting =
         contradicting_share(of_target_, of_target, {of_source_, inverse(target_from_source), radius});
+  if (!on_planes_of_source_.empty()) {
+    evidence.source_in_target.off_planes = agreement_off_planes(of_source, on_planes_of_source_);
+    evidence.target_in_source.off_planes = agreement_off_planes(of_target, on_planes_of_target_);
+  }
   const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, options_.num_threads);
   const PosedPairs posed{of_source_, pair_.target.cloud, pairs, target_from_source};
   evidence.residuals = residuals(posed);

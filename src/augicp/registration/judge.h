@@ -48,9 +48,10 @@ class Judge {
   const ScanMatcher& matcher_;
   std::optional<Rigid3> guess_target_from_source_;
   AlignOptions options_;
-  AgreementTolerance on_source_, on_target_;                // of points on each scan
-  Cloud of_source_, of_target_;                             // the points that are compared
-  std::unique_ptr<ScanMatcher> target_says_, source_says_;  // what they are compared with; null: matcher_
+  AgreementTolerance on_source_, on_target_;                     // of points on each scan
+  Cloud of_source_, of_target_;                                  // the points that are compared
+  std::vector<bool> on_planes_of_source_, on_planes_of_target_;  // of these; empty if free space is known
+  std::unique_ptr<ScanMatcher> target_says_, source_says_;       // what they are compared with; null: matcher_
 };
 
 // Whether the evidence supports the pose: it converged, or some of its motions are free and there is no doubt about the

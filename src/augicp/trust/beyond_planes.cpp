@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace augicp {
@@ -10,7 +11,11 @@ namespace {
 
 constexpr int kNumPlanes = 3;
 constexpr std::size_t kNumTried = 32;  // number of points for candidate planes, for each of the three
-constexpr int kNumFits = 3;            // the normal of one point is a few degrees off, which is far off across a room
+constexpr int kNumLargePlanes = 6;
+constexpr double kMinShareOfPlane = 0.02, kMinShareCompared = 0.05;
+constexpr std::size_t kNumFitted = 1024;  // of the points: enough for the planes of the most of them
+
+constexpr int kNumFits = 3;  // the normal of one point is a few degrees off, which is far off across a room
 
 // The tolerance at a cloud's point; per_depth is relative to the viewpoint.
 double allowed(const Cloud& cloud, std::uint32_t point, const AgreementTolerance& tolerance) {
@@ -73,6 +78,8 @@ Plane best_plane(const Cloud& cloud, std::span<const Candidate> candidates) {
   return best;
 }
 
+bool may_be_asked(PointAgreement said) { return said != PointAgreement::Hidden && said != PointAgreement::Conflict; }
+
 }  // namespace
 
 std::vector<std::uint32_t> agreeing_points(const PosedPairs& posed, const AgreementTolerance& tolerance) {
@@ -108,6 +115,37 @@ double share_beyond_planes(const Cloud& cloud, std::span<const std::uint32_t> po
     std::erase_if(rest, [&](const Candidate& candidate) { return is_on(plane, candidate); });
   }
   return static_cast<double>(rest.size()) / static_cast<double>(points.size());
+}
+
+std::vector<bool> on_large_planes(const Cloud& cloud, double distance) {
+  std::vector<bool> is_on_plane(cloud.size(), false);
+  if (!cloud.has_directions()) return is_on_plane;
+  const std::size_t step = (cloud.size() + kNumFitted - 1) / kNumFitted;
+  std::vector<Candidate> rest;
+  for (std::size_t i = 0; i < cloud.size(); i += step)
+    rest.push_back({cloud.points[i].cast<double>(), distance, static_cast<std::uint32_t>(i)});
+  const double fewest = kMinShareOfPlane * static_cast<double>(rest.size());
+  for (int k = 0; k < kNumLargePlanes && !rest.empty(); ++k) {
+    const Plane plane = best_plane(cloud, rest);
+    const std::size_t num_left = rest.size();
+    std::erase_if(rest, [&](const Candidate& candidate) { return is_on(plane, candidate); });
+    if (plane.normal.isZero() || static_cast<double>(num_left - rest.size()) < fewest) break;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (std::abs(plane.normal.dot(cloud.points[i].cast<double>() - plane.point)) < distance) is_on_plane[i] = true;
+  }
+  return is_on_plane;
+}
+
+double agreement_off_planes(std::span<const PointAgreement> said, const std::vector<bool>& is_on_plane) {
+  std::array<double, 2> num_asked{}, num_agreeing{};  // off, on
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    if (!may_be_asked(said[i])) continue;
+    num_asked[is_on_plane[i]] += 1.0;
+    if (said[i] == PointAgreement::Agree) num_agreeing[is_on_plane[i]] += 1.0;
+  }
+  const double fewest = std::max(1.0, kMinShareCompared * static_cast<double>(said.size()));
+  if (num_asked[0] < fewest || num_asked[1] < fewest || num_agreeing[1] < fewest) return 1.0;
+  return num_agreeing[0] / num_asked[0] * num_asked[1] / num_agreeing[1];
 }
 
 }  // namespace augicp

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "augicp/geometry/rotation.h"
 #include "augicp/testing/poses.h"
 
@@ -102,6 +105,62 @@ TEST(AgreeingPoints, AreOnTheSurfaceAndTurnedAlike) {
   std::vector<Correspondence> pairs;
   for (std::uint32_t i = 0; i < source.size(); ++i) pairs.push_back({i, i});
   EXPECT_EQ(agreeing_points({source, target, pairs, {}}, kTolerance), (std::vector<std::uint32_t>{0, 3}));
+}
+
+// Three planes, and clutter of a fifth of the points.
+TEST(LargePlanes, AreWhereTheWallsAre) {
+  std::mt19937 generator(7);
+  Cloud room = corner(generator);
+  const std::size_t num_on_walls = room.size();
+  for (int k = 0; k < 300; ++k)
+    add(room, kAxes * Vec3d(0.6, 0.6, 0.6) + 0.4 * testing::random_direction(generator),
+        testing::random_direction(generator), Structure::Planar);
+  const std::vector<bool> is_on = on_large_planes(room, kTolerance.distance);
+  const auto first_off = is_on.begin() + static_cast<std::ptrdiff_t>(num_on_walls);
+  EXPECT_GT(std::count(is_on.begin(), first_off, true), 0.99 * static_cast<double>(num_on_walls));
+  EXPECT_LT(std::count(first_off, is_on.end(), true), 60);  // the planes cross the clutter
+}
+
+TEST(LargePlanes, ABallHasNone) {
+  std::mt19937 generator(8);
+  Cloud ball;
+  for (int k = 0; k < 3000; ++k) {
+    const Vec3d direction = testing::random_direction(generator);
+    add(ball, direction, direction, Structure::Planar);
+  }
+  const std::vector<bool> is_on = on_large_planes(ball, 0.005);
+  EXPECT_EQ(std::count(is_on.begin(), is_on.end(), true), 0);
+  EXPECT_TRUE(on_large_planes(Cloud{}, 0.005).empty());
+}
+
+// 80 of 100 on planes agree, and 10 of 50 off them: 0.2 / 0.8. Hidden points and those in free space say nothing of it.
+TEST(AgreementOffPlanes, IsTheRatioOfTheShares) {
+  std::vector<PointAgreement> said;
+  std::vector<bool> is_on;
+  const auto add_points = [&](int count, bool on, PointAgreement one) {
+    for (int k = 0; k < count; ++k) {
+      said.push_back(one);
+      is_on.push_back(on);
+    }
+  };
+  add_points(80, true, PointAgreement::Agree);
+  add_points(20, true, PointAgreement::Unseen);
+  add_points(10, false, PointAgreement::Agree);
+  add_points(40, false, PointAgreement::Differ);
+  EXPECT_DOUBLE_EQ(agreement_off_planes(said, is_on), 0.25);
+  add_points(30, false, PointAgreement::Hidden);
+  add_points(30, false, PointAgreement::Conflict);
+  EXPECT_DOUBLE_EQ(agreement_off_planes(said, is_on), 0.25);
+}
+
+TEST(AgreementOffPlanes, FewPointsOfEitherKindSayNothing) {
+  std::vector<PointAgreement> said(100, PointAgreement::Agree);
+  std::vector<bool> is_on(100, true);
+  for (std::size_t k = 0; k < 4; ++k) said[k] = PointAgreement::Unseen, is_on[k] = false;
+  EXPECT_EQ(agreement_off_planes(said, is_on), 1.0);
+  is_on.flip();
+  EXPECT_EQ(agreement_off_planes(said, is_on), 1.0);
+  EXPECT_EQ(agreement_off_planes({}, {}), 1.0);
 }
 
 }  // namespace

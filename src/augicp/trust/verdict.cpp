@@ -21,10 +21,11 @@ void require_share(const char* name, double value) {
 }
 
 // The ratios of one cloud's values to their limits, in the order of the enumeration of doubts.
-std::array<double, 4> strains(const Testimony& testimony, const VerdictLimits& limits) {
+std::array<double, 5> strains(const Testimony& testimony, const VerdictLimits& limits) {
   const double min_agreeing = testimony.knows_free_space ? limits.min_agreeing : limits.min_agreeing_without_camera;
   return {(1.0 - testimony.margin()) / (1.0 - limits.min_margin), (1.0 - testimony.agreeing()) / (1.0 - min_agreeing),
-          testimony.conflicting() / limits.max_conflicting, testimony.contradicting / limits.max_contradicting};
+          testimony.conflicting() / limits.max_conflicting, testimony.contradicting / limits.max_contradicting,
+          (1.0 - testimony.off_planes) / (1.0 - limits.min_off_planes)};
 }
 
 // Whether a cloud shows all of the other.
@@ -34,13 +35,20 @@ bool shows_all(const Testimony& testimony) { return testimony.seen() >= kAll && 
 // The larger ratios of both sides: one cloud's contradiction is not compensated by the other. But where one cloud is a
 // part of the other, of which it shows all, the other has no partner for what the part lacks, and only what stands in
 // the part's free space contradicts.
-std::array<double, 5> strains(const Evidence& evidence, const VerdictLimits& limits) {
+std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& limits) {
   auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
-  if (shows_all(evidence.source_in_target)) other[0] = other[1] = other[3] = 0.0;
-  if (shows_all(evidence.target_in_source)) one[0] = one[1] = one[3] = 0.0;
-  const bool is_bare = evidence.beyond_planes < limits.min_beyond_planes;
-  return {std::max(one[0], other[0]), std::max(one[1], other[1]), std::max(one[2], other[2]),
-          std::max(one[3], other[3]), is_bare ? evidence.moved / limits.max_moved_on_planes : 0.0};
+  if (shows_all(evidence.source_in_target)) other[0] = other[1] = other[3] = other[4] = 0.0;
+  if (shows_all(evidence.target_in_source)) one[0] = one[1] = one[3] = one[4] = 0.0;
+  const double bare =
+      evidence.beyond_planes < limits.min_beyond_planes ? evidence.moved / limits.max_moved_on_planes : 0.0;
+  // What one cloud has off its planes the other may not have seen, but not both.
+  const double only_planes = std::min(one[4], other[4]);
+  return {std::max(one[0], other[0]),
+          std::max(one[1], other[1]),
+          std::max(one[2], other[2]),
+          std::max(one[3], other[3]),
+          bare,
+          only_planes};
 }
 
 // A cloud that does not know its free space calls unseen what contradicts the pose. Then a pose that leaves more unseen
@@ -63,6 +71,7 @@ void VerdictLimits::check() const {
   require_share("min_agreeing_without_camera", min_agreeing_without_camera);
   require_positive("max_conflicting", max_conflicting);
   require_positive("max_contradicting", max_contradicting);
+  require_share("min_off_planes", min_off_planes);
   require_share("min_beyond_planes", min_beyond_planes);
   require_positive("max_moved_on_planes", max_moved_on_planes);
   require_not_negative("max_last_step", max_last_step);

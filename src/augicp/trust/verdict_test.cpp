@@ -121,6 +121,19 @@ TEST(Verdict, BarePlanesAreTrustedNearTheGuessOnly) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
+// What one cloud has off its planes, the other may not have seen; a doubt needs both. A part on its model is not asked.
+TEST(Verdict, PlanesThatAgreeFarBetterThanTheRestAreADoubt) {
+  Evidence evidence = good_evidence();
+  const double low = 0.9 * VerdictLimits{}.min_off_planes;
+  evidence.source_in_target.off_planes = low;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  evidence.target_in_source.off_planes = low;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::OnlyPlanes});
+  EXPECT_GT(strain(evidence), 1.0);
+  evidence.source_in_target.count = {.agree = 1000};
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+}
+
 TEST(Verdict, WithoutACameraMoreMustAgree) {
   Evidence evidence = good_evidence();
   evidence.source_in_target.count = {.agree = 498, .differ = 102, .unseen = 400};
@@ -177,6 +190,7 @@ TEST(Verdict, DoubtsAndFreeMotionsHaveTheirNames) {
   EXPECT_EQ(name_of(Doubt::Disagreement), "disagreement");
   EXPECT_EQ(name_of(Doubt::FreeSpace), "free_space");
   EXPECT_EQ(name_of(Doubt::BarePlanes), "bare_planes");
+  EXPECT_EQ(name_of(Doubt::OnlyPlanes), "only_planes");
   EXPECT_EQ(name_of(FreeMotion::Kind::Translation), "translation");
   EXPECT_EQ(name_of(FreeMotion::Kind::Rotation), "rotation");
   EXPECT_EQ(name_of(FreeMotion::Kind::Screw), "screw");
