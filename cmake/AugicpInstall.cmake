@@ -23,7 +23,7 @@ if(augicp_type STREQUAL "STATIC_LIBRARY")
   get_property(augicp_private_libraries GLOBAL PROPERTY AUGICP_PRIVATE_LIBRARIES)
   list(REMOVE_DUPLICATES augicp_private_libraries)
   augicp_find_lines(AUGICP_FIND_PRIVATE_LIBRARIES ${augicp_private_libraries})
-  install(FILES cmake/Findspng.cmake DESTINATION ${AUGICP_INSTALL_CMAKEDIR} COMPONENT development)
+  install(FILES cmake/Findlz4.cmake cmake/Findspng.cmake cmake/Findzstd.cmake DESTINATION ${AUGICP_INSTALL_CMAKEDIR} COMPONENT development)
 endif()
 
 configure_package_config_file(cmake/augicpConfig.cmake.in ${PROJECT_BINARY_DIR}/augicpConfig.cmake

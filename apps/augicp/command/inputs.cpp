@@ -9,6 +9,7 @@
 
 #include "apps/augicp/command/interruption.h"
 #include "augicp/core/error.h"
+#include "augicp/io/bag.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_file.h"
 #include "augicp/io/grey_png.h"
@@ -106,10 +107,15 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       ->group(group);
 }
 
-void require_no_file(const std::filesystem::path& sequence) {
+void require_sequence(const std::filesystem::path& sequence, const std::string& topic) {
+  if (is_bag(sequence)) return;
+  if (!topic.empty())
+    throw std::invalid_argument(
+        fmt::format("--topic {}: goes with a recording, and {} is none", topic, sequence.string()));
   if (std::error_code ignored; std::filesystem::is_regular_file(sequence, ignored))
-    throw IoError(sequence.string() +
-                  ": is a file, expected a folder; two files are registered by: augicp align SOURCE TARGET");
+    throw IoError(
+        sequence.string() +
+        ": is a file, expected a folder or a recording; two files are registered by: augicp align SOURCE TARGET");
 }
 
 void warn_of_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {
@@ -119,6 +125,11 @@ void warn_of_depth_scale(const DepthImage& image, const std::filesystem::path& p
 
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path) {
+  if (is_bag(path))
+    throw IoError(
+        fmt::format("{}: is a recording; it is tracked by: augicp odometry {}; its scans become files by: augicp "
+                    "unpack {}",
+                    path.string(), path.string(), path.string()));
   if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) throw IoError(folder_advice(path));
   if (is_depth_image(path, options)) return read_depth_input(path, options, grey_path);
   if (!grey_path.empty())

@@ -38,8 +38,9 @@ struct Input {
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path = {});
 
-// Throws IoError if a sequence is a file: two files are registered by `align`.
-void require_no_file(const std::filesystem::path& sequence);
+// Throws IoError if a sequence is a file and no recording: two files are registered by `align`. Throws
+// std::invalid_argument for a topic (may be empty) of what is no recording.
+void require_sequence(const std::filesystem::path& sequence, const std::string& topic);
 
 // Throws std::invalid_argument if there is a camera, and none of the inputs is a depth image.
 void require_use_of_camera(const InputOptions& options, const std::vector<std::filesystem::path>& inputs);

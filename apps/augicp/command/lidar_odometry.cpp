@@ -13,7 +13,6 @@
 #include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
 #include "augicp/io/atomic_file.h"
-#include "augicp/io/read_cloud.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/io/write_cloud.h"
 #include "augicp/odometry/lidar_option_table.h"
@@ -30,11 +29,13 @@ constexpr double kSaveEvery_ms = 5000.0;
 constexpr std::size_t kMaxPointsOfAMap = 2'000'000;
 constexpr double kTile = 100.0;
 
-FrameReport report_on(LidarOdometry& odometry, const ScanFile& scan, const LidarInput& input, std::size_t row,
+FrameReport report_on(LidarOdometry& odometry, ScanReader& reader, const LidarInput& input, std::size_t row,
                       int segment) {
+  const std::size_t frame = input.chosen[row];
+  const ScanFile& scan = input.sequence.scans[frame];
   try {
     const PointTimes& times = input.point_times;
-    const CloudFile file = read_timed(scan.path, times);
+    const CloudFile file = reader.read(frame, read_options_for(times));
     FrameReport report = odometry.add(scan.stamp_s, file.cloud, shares_of(file, scan.path, times));
     if (input.on_scan) input.on_scan(row, report, file.cloud);
     return report;
@@ -106,10 +107,10 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::o
   const Stopwatch all;
   double saved_ms = 0.0;
   int segment = 0;
+  ScanReader reader(input.sequence);
   for (const std::size_t frame : input.chosen) {
-    const ScanFile& scan = input.sequence.scans[frame];
-    FrameRow row{frame, scan.path, {}, 0.0};
-    row.report = report_on(odometry, scan, input, run.rows.size(), segment);
+    FrameRow row{frame, input.sequence.scans[frame].path, {}, 0.0};
+    row.report = report_on(odometry, reader, input, run.rows.size(), segment);
     segment = row.report.segment;
     if (map) update(*map, odometry, row.report, frame == input.chosen.back());
     row.time_ms = all.elapsed_ms() - run.total_ms;

@@ -20,6 +20,7 @@
 #include "apps/augicp/command/progress.h"
 #include "apps/augicp/command/sensor.h"
 #include "apps/augicp/command/table_options.h"
+#include "apps/augicp/command/topics.h"
 #include "apps/augicp/page/kept.h"
 #include "apps/augicp/page/odometry_page.h"
 #include "apps/augicp/text/odometry.h"
@@ -35,7 +36,7 @@ namespace augicp::app {
 namespace {
 
 struct OdometryArguments {
-  std::string sequence, output, camera, json, page;
+  std::string sequence, topic, output, camera, json, page;
   Sensor sensor = Sensor::Auto;
   std::optional<double> depth_scale, readout_s;
   std::optional<double> frames_per_s;
@@ -149,10 +150,17 @@ bool holds_depth_images(const std::string& folder) {
 }
 
 bool is_lidar(const OdometryArguments& arguments) {
+  if (is_bag(arguments.sequence)) return true;
   if (arguments.sensor != Sensor::Auto) return arguments.sensor == Sensor::Lidar;
   std::error_code not_a_folder;
   if (!fs::is_directory(arguments.sequence, not_a_folder)) return false;
   return !find_scans(arguments.sequence).empty() && !holds_depth_images(arguments.sequence);
+}
+
+ScanSequence scans_of(const OdometryArguments& arguments) {
+  if (!is_bag(arguments.sequence)) return read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
+  const StampedTopic topic = chosen_topic(arguments.sequence, arguments.topic, {kPointCloud2});
+  return scans_of_topic(arguments.sequence, topic.name, topic.stamps_s);
 }
 
 int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
@@ -160,11 +168,9 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   require_extension(arguments.lidar.map, {".ply", ".pcd"});
   LidarInput input;
   input.name = arguments.sequence;
-  input.sequence = read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
+  input.sequence = scans_of(arguments);
   input.chosen = arguments.range.chosen(input.sequence.scans.size(), "scan");
-  std::vector<ScanFile> chosen;
-  for (const std::size_t i : input.chosen) chosen.push_back(input.sequence.scans[i]);
-  input.point_times = point_times_of(chosen, arguments.lidar.point_times);
+  input.point_times = point_times_of(input.sequence, input.chosen, arguments.lidar.point_times);
   input.progress = arguments.quiet ? Progress::None : arguments.progress;
   const OutputFolder made(arguments.output, arguments.sequence);
   const fs::path folder = input.output = made.path();
@@ -194,7 +200,7 @@ void warn_by_first_frame(const DepthSequence& sequence, double depth_scale) {
 }
 
 int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
-  require_no_file(arguments.sequence);
+  require_sequence(arguments.sequence, arguments.topic);
   arguments.odometry.check();
   evaluation_options(arguments).check();
   if (is_lidar(arguments)) return run_lidar(arguments, command);
@@ -242,6 +248,10 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
       ->default_str("auto")
       ->transform(choice<Sensor>())
       ->group(group);
+  command
+      .add_option("--topic", arguments.topic,
+                  "Of a recording: which PointCloud2 (default: the only one; augicp info lists them)")
+      ->group(group);
   add_range_options(command, arguments.range, group);
 }
 
@@ -270,12 +280,12 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
 
 void add_odometry_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<OdometryArguments>();
-  CLI::App* command =
-      app.add_subcommand("odometry", "Track a depth camera or a LiDAR through a folder of images or scans");
+  CLI::App* command = app.add_subcommand(
+      "odometry", "Track a depth camera or a LiDAR through a folder of images or scans, or a recording");
   command
       ->add_option("sequence,--sequence", arguments->sequence,
                    "A folder: TUM (depth.txt), 7-Scenes (frame-000000.depth.png), or numbered .png images; KITTI's, or "
-                   "scans as .bin, .pcd or .ply")
+                   "scans as .bin, .pcd or .ply; or a recording: .bag, .mcap, .db3 or a folder of rosbag2")
       ->required();
   add_sequence_options(*command, *arguments);
   add_method_options(*command, arguments->odometry);
@@ -286,6 +296,7 @@ void add_odometry_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  augicp odometry rgbd_dataset_freiburg1_desk --camera tum-fr1 --output desk --report desk.html\n"
       "  augicp odometry dataset/sequences/00 --sensor lidar --map map.ply\n"
+      "  augicp odometry drive.mcap --topic /lidar/points --map map.ply\n"
       "  augicp odometry chess/seq-01 --last 500\n"
       "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
   command->callback([arguments, command, &exit_code] { exit_code = run_odometry(*arguments, *command); });

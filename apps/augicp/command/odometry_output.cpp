@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "augicp/core/error.h"
+#include "augicp/io/bag.h"
 
 namespace augicp::app {
 namespace {
@@ -13,7 +14,8 @@ namespace fs = std::filesystem;
 
 std::string folder_for(const std::string& sequence) {
   const fs::path path = fs::path(sequence).lexically_normal();
-  const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
+  const fs::path name = is_bag(path) ? last.stem() : last;
   return (name.empty() || name == "." || name == ".." ? "sequence" : name.string()) + "_odometry";
 }
 

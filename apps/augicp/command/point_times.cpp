@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "augicp/io/file_bytes.h"
-#include "augicp/io/read_cloud.h"
 #include "augicp/io/time_field.h"
 
 namespace augicp::app {
@@ -21,10 +20,10 @@ constexpr double kUsualGap_s = 0.1;
 
 constexpr const char* kAuto = "auto";
 
-CloudFile read_with_fields(const fs::path& path) {
+ReadOptions with_fields() {
   ReadOptions options;
   options.keep_fields = true;
-  return read_cloud(path, options);
+  return options;
 }
 
 struct FirstScan {
@@ -33,19 +32,20 @@ struct FirstScan {
 };
 
 // Skips scans that cannot be read: tracking reports them. If none can be read, throws the last one's error.
-FirstScan first_readable(std::span<const ScanFile> scans) {
-  for (const ScanFile& scan : scans) try {
-      return {scan.path, read_with_fields(scan.path)};
+FirstScan first_readable(const ScanSequence& sequence, std::span<const std::size_t> chosen) {
+  ScanReader reader(sequence);
+  for (const std::size_t scan : chosen) try {
+      return {sequence.scans[scan].path, reader.read(scan, with_fields())};
     } catch (const IoError&) {
-      if (scan.path == scans.back().path) throw;
+      if (scan == chosen.back()) throw;
     }
   return {};
 }
 
-double gap_s(std::span<const ScanFile> scans) {
+double gap_s(const ScanSequence& sequence, std::span<const std::size_t> chosen) {
   double shortest = 0.0;
-  for (std::size_t i = 1; i < scans.size(); ++i) {
-    const double gap = scans[i].stamp_s - scans[i - 1].stamp_s;
+  for (std::size_t i = 1; i < chosen.size(); ++i) {
+    const double gap = sequence.scans[chosen[i]].stamp_s - sequence.scans[chosen[i - 1]].stamp_s;
     if (gap > 0.0 && (shortest == 0.0 || gap < shortest)) shortest = gap;
   }
   return shortest > 0.0 ? shortest : kUsualGap_s;
@@ -79,29 +79,29 @@ std::optional<PointTimes> from_field(const FirstScan& scan, const PointField& fi
                     fmt::format("field {}, {}: sweeps of {:.4g} s", field.name, unit_in_words(*unit_s), sweep_s)};
 }
 
-PointTimes guessed(std::span<const ScanFile> scans) {
-  const FirstScan scan = first_readable(scans);
+PointTimes guessed(const ScanSequence& sequence, std::span<const std::size_t> chosen) {
+  const FirstScan scan = first_readable(sequence, chosen);
   if (const PointField* field = find_time_field(scan.content, ""))
-    if (const auto times = from_field(scan, *field, gap_s(scans))) return *times;
+    if (const auto times = from_field(scan, *field, gap_s(sequence, chosen))) return *times;
   const bool is_ordered = !shares_from_order(scan.content.cloud).empty();
   return {PointTimes::Source::Order, {}, 0.0, is_ordered ? "by the order of the points" : "unknown"};
 }
 
 }  // namespace
 
-PointTimes point_times_of(std::span<const ScanFile> scans, const std::string& given) {
+PointTimes point_times_of(const ScanSequence& sequence, std::span<const std::size_t> chosen, const std::string& given) {
   if (given == "none") return {PointTimes::Source::None, {}, 0.0, "none"};
   if (given == "azimuth") return {PointTimes::Source::Azimuth, {}, 0.0, "by the azimuth"};
-  if (given == kAuto) return guessed(scans);
-  const FirstScan scan = first_readable(scans);
+  if (given == kAuto) return guessed(sequence, chosen);
+  const FirstScan scan = first_readable(sequence, chosen);
   const PointField* field = find_time_field(scan.content, given);
   if (!field) throw io_error(scan.path, fmt::format("expected a field {}, found none", in_quotes(given)));
-  if (const auto times = from_field(scan, *field, gap_s(scans))) return *times;
+  if (const auto times = from_field(scan, *field, gap_s(sequence, chosen))) return *times;
   throw io_error(scan.path, fmt::format("expected times in the field {}, found one value only", in_quotes(given)));
 }
 
-CloudFile read_timed(const fs::path& path, const PointTimes& times) {
-  return times.source == PointTimes::Source::Field ? read_with_fields(path) : read_cloud(path);
+ReadOptions read_options_for(const PointTimes& times) {
+  return times.source == PointTimes::Source::Field ? with_fields() : ReadOptions{};
 }
 
 SweepShares shares_of(const CloudFile& scan, const fs::path& path, const PointTimes& times) {

@@ -21,13 +21,13 @@ struct PointTimes {
   std::string in_words;
 };
 
-// given: auto, azimuth, none or the name of a field. auto takes the first known field of the first scan that can be
-// read, if its times differ, and else the order of the points. Throws IoError if a field is named that this scan does
-// not have, or if the times of that field span no sweep.
-PointTimes point_times_of(std::span<const ScanFile> scans, const std::string& given);
+// given: auto, azimuth, none or the name of a field. auto takes the first known field of the first chosen scan that can
+// be read, if its times differ, and else the order of the points. Throws IoError if a field is named that this scan
+// does not have, or if the times of that field span no sweep.
+PointTimes point_times_of(const ScanSequence& sequence, std::span<const std::size_t> chosen, const std::string& given);
 
-// The scan with the times that shares_of() needs. Throws IoError.
-CloudFile read_timed(const std::filesystem::path& path, const PointTimes& times);
+// How a scan is read, so that it has the times that shares_of() needs.
+ReadOptions read_options_for(const PointTimes& times);
 
 // Throws IoError for times that are not finite.
 SweepShares shares_of(const CloudFile& scan, const std::filesystem::path& path, const PointTimes& times);

@@ -10,9 +10,10 @@
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/topics.h"
 #include "augicp/core/error.h"
 #include "augicp/io/atomic_file.h"
-#include "augicp/io/bag.h"
+#include "augicp/io/point_cloud2.h"
 #include "augicp/io/write_cloud.h"
 
 namespace augicp::app {
@@ -20,28 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPointCloud2 = "sensor_msgs/PointCloud2";
-
 struct UnpackArguments {
   std::string bag, topic, output;
   bool quiet = false;
 };
-
-// The topic of that name, or the only one of clouds. Throws IoError with all topics of clouds.
-std::string chosen_topic(const UnpackArguments& arguments) {
-  std::string known, only;
-  std::size_t num_known = 0;
-  for (const BagTopic& topic : bag_topics(arguments.bag)) {
-    if (topic.type != kPointCloud2) continue;
-    if (topic.name == arguments.topic) return topic.name;
-    known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", topic.name, topic.num_messages);
-    only = topic.name;
-    ++num_known;
-  }
-  if (num_known == 0) throw IoError(fmt::format("{}: has no topic of {}", arguments.bag, kPointCloud2));
-  if (arguments.topic.empty() && num_known == 1) return only;
-  throw IoError(fmt::format("{}: which --topic? It has clouds of {}", arguments.bag, known));
-}
 
 fs::path made_folder(const UnpackArguments& arguments) {
   const fs::path bag = fs::path(arguments.bag).lexically_normal();
@@ -55,14 +38,8 @@ fs::path made_folder(const UnpackArguments& arguments) {
   return folder;
 }
 
-// Where a sensor's driver states no stamp, the time of recording stands for it.
-double stamp_s(const PointCloud2& read, const BagMessage& message) {
-  constexpr double kNanoseconds = 1e9;
-  return static_cast<double>(read.stamp_ns != 0 ? read.stamp_ns : message.stamp_ns) / kNanoseconds;
-}
-
 int run_unpack(const UnpackArguments& arguments) {
-  const std::string topic = chosen_topic(arguments);
+  const std::string topic = chosen_topic(arguments.bag, arguments.topic, {kPointCloud2}).name;
   const fs::path folder = made_folder(arguments);
   ReadOptions options;
   options.keep_fields = true;
@@ -70,13 +47,12 @@ int run_unpack(const UnpackArguments& arguments) {
   std::size_t num_messages = 0, num_written = 0;
   visit_messages(arguments.bag, [&](const BagMessage& message) {
     if (message.topic != topic) return true;
-    ++num_messages;
+    const fs::path source = message_name(arguments.bag, topic, num_messages++);
     try {
-      const fs::path source = fmt::format("{}: {}, message {}", arguments.bag, topic, num_messages);
       const PointCloud2 read = parse_point_cloud2(source, message.data, message.form, options);
       const fs::path path = folder / fmt::format("{:06}.pcd", num_written);
       write_whole([&] { write_cloud(path, read.file); });
-      times += fmt::format("{:.9f}\n", stamp_s(read, message));
+      times += fmt::format("{:.9f}\n", stamp_s(message));
       ++num_written;
     } catch (const IoError& error) {
       fmt::print(stderr, "augicp: warning: {}\n", error.what());  // an empty scan, for instance

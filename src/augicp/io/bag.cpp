@@ -7,7 +7,9 @@
 #include <system_error>
 
 #include "augicp/io/bag_parts.h"
+#include "augicp/io/decompress.h"
 #include "augicp/io/format.h"
+#include "augicp/io/natural_order.h"
 
 namespace augicp {
 namespace {
@@ -19,22 +21,29 @@ bool is_bag_file(const fs::path& path) {
   return extension == ".bag" || extension == ".mcap" || extension == ".db3";
 }
 
-// The parts of a folder of rosbag2, in the order of their names.
+// The parts of a folder of rosbag2, in the natural order of their names.
 std::vector<fs::path> parts_of(const fs::path& folder) {
   std::vector<fs::path> parts;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
     if (is_bag_file(entry->path())) parts.push_back(entry->path());
   if (error) throw io_error(folder, "cannot be listed: " + error.message());
-  std::sort(parts.begin(), parts.end());
+  std::sort(parts.begin(), parts.end(), [](const fs::path& a, const fs::path& b) {
+    return naturally_before(a.filename().string(), b.filename().string());
+  });
   return parts;
 }
 
-void visit_file(const fs::path& path, const MessageVisitor& visit) {
+std::vector<fs::path> files_of(const fs::path& bag) {
+  std::error_code ignored;
+  return fs::is_directory(bag, ignored) ? parts_of(bag) : std::vector<fs::path>{bag};
+}
+
+std::unique_ptr<MessageSource> opened(const fs::path& path) {
   const std::string extension = lower_case_extension(path);
-  if (extension == ".bag") return visit_rosbag1(path, visit);
-  if (extension == ".mcap") return visit_mcap(path, visit);
-  if (extension == ".db3") return visit_sqlite(path, visit);
+  if (extension == ".bag") return open_rosbag1(path);
+  if (extension == ".mcap") return open_mcap(path);
+  if (extension == ".db3") return open_sqlite(path);
   throw io_error(path, "expected a recording: .bag, .db3 or .mcap, or a folder of rosbag2");
 }
 
@@ -78,7 +87,7 @@ void FileStream::skip(std::uint64_t count) {
 
 std::string_view ByteReader::take(std::uint64_t count) {
   if (count > rest_.size())
-    throw io_error(path_, fmt::format("expected {} bytes, a record has {} more", count, rest_.size()));
+    throw io_error(*path_, fmt::format("expected {} bytes, a record has {} more", count, rest_.size()));
   const std::string_view taken = rest_.substr(0, count);
   rest_.remove_prefix(count);
   return taken;
@@ -97,12 +106,31 @@ bool is_bag(const fs::path& path) {
   return fs::exists(path / "metadata.yaml", ignored) && !parts_of(path).empty();
 }
 
-void visit_messages(const fs::path& bag, const MessageVisitor& visit) {
-  std::error_code ignored;
-  if (!fs::is_directory(bag, ignored)) return visit_file(bag, visit);
-  bool goes_on = true;
-  for (const fs::path& part : parts_of(bag))
-    if (goes_on) visit_file(part, [&](const BagMessage& message) { return goes_on = visit(message); });
+BagReader::BagReader(const fs::path& bag) : files_(files_of(bag)) {
+  if (!files_.empty()) source_ = opened(files_[next_file_++]);
+}
+
+BagReader::~BagReader() = default;
+BagReader::BagReader(BagReader&&) noexcept = default;
+BagReader& BagReader::operator=(BagReader&&) noexcept = default;
+
+std::optional<BagMessage> BagReader::next() {
+  while (source_) {
+    std::optional<BagMessage> message = source_->next();
+    if (message && message->form == MessageForm::Cdr && begins_as_zstd(message->data)) {
+      decompressed_ = decompressed(files_[next_file_ - 1], "zstd", message->data, std::nullopt);
+      message->data = decompressed_;
+    }
+    if (message) return message;
+    source_ = next_file_ < files_.size() ? opened(files_[next_file_++]) : nullptr;
+  }
+  return std::nullopt;
+}
+
+void visit_messages(const fs::path& bag, const std::function<bool(const BagMessage&)>& visit) {
+  BagReader reader(bag);
+  while (const auto message = reader.next())
+    if (!visit(*message)) return;
 }
 
 std::vector<BagTopic> bag_topics(const fs::path& bag) {

@@ -10,11 +10,16 @@
 
 namespace augicp {
 
-using MessageVisitor = std::function<bool(const BagMessage&)>;
+// The messages of one file, see BagReader.
+class MessageSource {
+ public:
+  virtual ~MessageSource() = default;
+  virtual std::optional<BagMessage> next() = 0;
+};
 
-void visit_rosbag1(const std::filesystem::path& path, const MessageVisitor& visit);
-void visit_mcap(const std::filesystem::path& path, const MessageVisitor& visit);
-void visit_sqlite(const std::filesystem::path& path, const MessageVisitor& visit);
+std::unique_ptr<MessageSource> open_rosbag1(const std::filesystem::path& path);
+std::unique_ptr<MessageSource> open_mcap(const std::filesystem::path& path);
+std::unique_ptr<MessageSource> open_sqlite(const std::filesystem::path& path);
 
 // "sensor_msgs/msg/PointCloud2" as "sensor_msgs/PointCloud2".
 std::string plain_type(std::string_view type);
@@ -38,9 +43,10 @@ class FileStream {
 };
 
 // Takes little-endian numbers and texts from the front of bytes. Throws IoError with the path where they end too soon.
+// REQUIRES: path and bytes outlive it.
 class ByteReader {
  public:
-  ByteReader(const std::filesystem::path& path, std::string_view bytes) : path_(path), rest_(bytes) {}
+  ByteReader(const std::filesystem::path& path, std::string_view bytes) : path_(&path), rest_(bytes) {}
 
   bool at_end() const { return rest_.empty(); }
   std::string_view take(std::uint64_t count);
@@ -49,7 +55,7 @@ class ByteReader {
   std::string_view rest() const { return rest_; }
 
  private:
-  const std::filesystem::path& path_;
+  const std::filesystem::path* path_;
   std::string_view rest_;
 };
 

@@ -3,6 +3,8 @@
 
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/bag_testing.h"
+#include "augicp/io/decompress.h"
+#include "augicp/io/natural_order.h"
 #include "augicp/testing/temporary_folder.h"
 
 namespace augicp {
@@ -114,8 +116,8 @@ TEST(Bag, CutsAreRefused) {
 
 TEST(Bag, WhatIsNotReadIsSaid) {
   const testing::TemporaryFolder folder;
-  EXPECT_THAT(refusal_of_bag(folder / "a.mcap", testing::mcap("zstd")), HasSubstr("mcap compress --compression none"));
-  EXPECT_THAT(refusal_of_bag(folder / "a.bag", testing::rosbag1("lz4")), HasSubstr("rosbag decompress"));
+  EXPECT_THAT(refusal_of_bag(folder / "a.mcap", testing::mcap("xz")), HasSubstr("mcap compress --compression none"));
+  EXPECT_THAT(refusal_of_bag(folder / "a.bag", testing::rosbag1("xz")), HasSubstr("rosbag decompress"));
   EXPECT_THAT(refusal_of_bag(folder / "a.bag", testing::with(testing::rosbag1(), testing::packed<std::uint64_t>({4109}),
                                                              std::string(8, '\0'))),
               HasSubstr("rosbag reindex"));
@@ -123,12 +125,62 @@ TEST(Bag, WhatIsNotReadIsSaid) {
   EXPECT_THROW(bag_topics(folder / "nothing.bag"), IoError);
 }
 
+TEST(Bag, CompressedChunksHoldTheSame) {
+  const testing::TemporaryFolder folder;
+  for (const char* compression : {"lz4", "zstd"}) {
+    if (!can_decompress(compression)) continue;
+    write_file(folder / "a.mcap", testing::mcap(compression));
+    expect_the_recording(folder / "a.mcap");
+    write_file(folder / "a.bag", testing::rosbag1(compression));
+    expect_the_recording(folder / "a.bag");
+  }
+}
+
+// One block of zstd may state a run of 128 KiB in four bytes.
+TEST(Decompress, ContentIsBounded) {
+  if (!can_decompress("zstd")) GTEST_SKIP() << "built without zstd";
+  const auto runs = [](std::uint32_t num_blocks) {
+    std::string bytes("\x28\xb5\x2f\xfd\0\x58", 6);
+    for (std::uint32_t i = 1; i <= num_blocks; ++i)
+      bytes += testing::u32((1u << 17) << 3 | 1u << 1 | (i == num_blocks ? 1u : 0u)).substr(0, 3) + "a";
+    return bytes;
+  };
+  EXPECT_EQ(decompressed("bag", "zstd", runs(100), std::nullopt), std::string(100 << 17, 'a'));
+  EXPECT_THROW(decompressed("bag", "zstd", runs(257), std::nullopt), IoError) << "more than 32 MiB of 1 KB";
+  EXPECT_THROW(decompressed("bag", "zstd", runs(1), 1u << 30), IoError);
+}
+
+TEST(Decompress, DamageIsRefused) {
+  const std::string content = "the content of a chunk";
+  for (const std::string compression : {"lz4", "zstd"}) {
+    if (!can_decompress(compression)) continue;
+    const std::string whole = testing::compressed(compression, content);
+    EXPECT_EQ(decompressed("bag", compression, whole, content.size()), content);
+    for (std::size_t length = 0; length < whole.size(); ++length)
+      EXPECT_THROW(decompressed("bag", compression, whole.substr(0, length), content.size()), IoError) << length;
+    EXPECT_THROW(decompressed("bag", compression, whole + "x", content.size()), IoError);
+    for (const std::size_t size : {content.size() - 1, content.size() + 1})
+      EXPECT_THROW(decompressed("bag", compression, whole, size), IoError);
+  }
+}
+
+TEST(NaturalOrder, NumbersCompareAsNumbers) {
+  EXPECT_TRUE(naturally_before("bag_2.db3", "bag_10.db3"));
+  EXPECT_FALSE(naturally_before("bag_10.db3", "bag_2.db3"));
+}
+
 // Files of other programs, where they are.
 TEST(Bag, PublicFiles) {
   const std::filesystem::path shared = std::filesystem::path(AUGICP_SHARED_DATA_DIR) / "formats";
   if (!std::filesystem::is_directory(shared)) GTEST_SKIP() << "no folder " << shared;
   EXPECT_TRUE(bag_topics(shared / "rosbag1/no-messages.bag").empty());
-  EXPECT_THROW(bag_topics(shared / "rosbag1/example-lz4.bag"), IoError);
+  for (const char* compression : {"lz4", "bz2"})
+    if (can_decompress(compression)) {
+      const std::vector<BagTopic> topics = bag_topics(shared / fmt::format("rosbag1/example-{}.bag", compression));
+      ASSERT_EQ(topics.size(), 9u);
+      EXPECT_EQ(topics[1].name, "/tf");
+      EXPECT_EQ(topics[1].num_messages, 2688u);
+    }
   const std::string message = read_bytes(shared / "dds_pointcloud2/dds_message.bin").bytes;
   const PointCloud2 read = parse_point_cloud2("dds", message, MessageForm::Cdr, kKeep);
   EXPECT_EQ(read.frame, "lidar_link");

@@ -71,6 +71,19 @@ inline std::string mcap_record(int opcode, const std::string& content) {
   return static_cast<char>(opcode) + packed<std::uint64_t>({content.size()}) + content;
 }
 
+// Frames of lz4 and zstd with one block as it is, not compressed, of less than 128 KiB.
+inline std::string lz4_frame(const std::string& content) {
+  const auto size = static_cast<std::uint32_t>(content.size());
+  return "\x04\x22\x4d\x18\x60\x40\x82" + u32(size | 0x80000000u) + content + u32(0);
+}
+inline std::string zstd_frame(const std::string& content) {
+  const auto size = static_cast<std::uint32_t>(content.size());
+  return std::string("\x28\xb5\x2f\xfd\0\x58", 6) + u32(size << 3 | 1u).substr(0, 3) + content;
+}
+inline std::string compressed(const std::string& compression, const std::string& content) {
+  return compression == "lz4" ? lz4_frame(content) : compression == "zstd" ? zstd_frame(content) : content;
+}
+
 // Two clouds and another message, some of them in a chunk.
 inline std::string mcap(const std::string& compression = "") {
   const std::string magic("\x89MCAP0\r\n", 8), cloud = point_cloud2(true);
@@ -84,10 +97,11 @@ inline std::string mcap(const std::string& compression = "") {
     return mcap_record(3, packed<std::uint16_t>({id}) + text_of(name) + text_of("ros2msg") + text_of("uint8 a"));
   };
   const std::string chunk = channel(2, 2, "/other") + message(2, 5, "ab") + message(1, 6, cloud);
+  const std::string stored = compressed(compression, chunk);
   return magic + mcap_record(1, text_of("ros2") + text_of("test")) + schema(1, "sensor_msgs/msg/PointCloud2") +
          schema(2, "a/msg/B") + channel(1, 1, "/points") + message(1, 4, cloud) +
          mcap_record(6, packed<std::uint64_t>({5, 6, chunk.size()}) + u32(0) + text_of(compression) +
-                            packed<std::uint64_t>({chunk.size()}) + chunk) +
+                            packed<std::uint64_t>({stored.size()}) + stored) +
          mcap_record(15, u32(0)) + mcap_record(2, std::string(20, '\0')) + magic;
 }
 
@@ -116,7 +130,8 @@ inline std::string rosbag1(const std::string& compression = "none") {
          ros1_header({op(3), {"index_pos", index}, {"conn_count", u32(2)}, {"chunk_count", u32(1)}}) +
          text_of(std::string(50, ' ')) +
          ros1_header({op(5), {"compression", compression}, {"size", u32(static_cast<std::uint32_t>(chunk.size()))}}) +
-         text_of(chunk) + ros1_header({op(4), {"ver", u32(1)}, {"conn", u32(1)}, {"count", u32(0)}}) + text_of("");
+         text_of(compressed(compression, chunk)) +
+         ros1_header({op(4), {"ver", u32(1)}, {"conn", u32(1)}, {"count", u32(0)}}) + text_of("");
 }
 
 }  // namespace augicp::testing

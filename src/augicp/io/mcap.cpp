@@ -3,6 +3,7 @@
 #include <map>
 
 #include "augicp/io/bag_parts.h"
+#include "augicp/io/decompress.h"
 #include "augicp/io/format.h"
 
 namespace augicp {
@@ -17,37 +18,52 @@ struct Channel {
   MessageForm form = MessageForm::Cdr;
 };
 
-class McapReader {
+class McapReader : public MessageSource {
  public:
-  McapReader(const std::filesystem::path& path, const MessageVisitor& visit)
-      : path_(path), visit_(visit), file_(path) {}
-
-  void read() {
+  explicit McapReader(const std::filesystem::path& path) : path_(path), file_(path) {
     if (file_.num_left() < kMagic.size() || file_.read(kMagic.size()) != kMagic)
       throw io_error_at_byte(path_, 0, "expected the mark of an MCAP file");
-    while (goes_on_) {
-      const std::string head = file_.read(kHead);
-      ByteReader reader(path_, head);
-      const auto opcode = static_cast<std::uint8_t>(reader.take_number(1));
-      const std::uint64_t length = reader.take_number(8);
-      if (opcode == kDataEnd || opcode == kFooter) return;
-      if (opcode == kSchema || opcode == kChannel || opcode == kMessage || opcode == kChunk) {
-        take_record(opcode, file_.read(length));
-      } else {
-        file_.skip(length);
-      }
+  }
+
+  std::optional<BagMessage> next() override {
+    while (!is_at_end_) {
+      const auto message = in_chunk_.at_end() ? from_file() : from_chunk();
+      if (message) return message;
     }
+    return std::nullopt;
   }
 
  private:
   static constexpr std::size_t kHead = 9;
 
-  void take_record(std::uint8_t opcode, std::string_view content) {
+  std::optional<BagMessage> from_file() {
+    const std::string head = file_.read(kHead);
+    ByteReader reader(path_, head);
+    const auto opcode = static_cast<std::uint8_t>(reader.take_number(1));
+    const std::uint64_t length = reader.take_number(8);
+    is_at_end_ = opcode == kDataEnd || opcode == kFooter;
+    if (is_at_end_) return std::nullopt;
+    if (opcode == kSchema || opcode == kChannel || opcode == kMessage || opcode == kChunk) {
+      record_ = file_.read(length);
+      return take_record(opcode, record_);
+    }
+    file_.skip(length);
+    return std::nullopt;
+  }
+
+  std::optional<BagMessage> from_chunk() {
+    const auto opcode = static_cast<std::uint8_t>(in_chunk_.take_number(1));
+    const std::string_view content = in_chunk_.take(in_chunk_.take_number(8));
+    if (opcode == kChunk) throw io_error(path_, "expected no chunk within another");
+    return take_record(opcode, content);
+  }
+
+  std::optional<BagMessage> take_record(std::uint8_t opcode, std::string_view content) {
     ByteReader reader(path_, content);
     if (opcode == kSchema) add_schema(reader);
     if (opcode == kChannel) add_channel(reader);
-    if (opcode == kMessage) show_message(reader);
-    if (opcode == kChunk) take_chunk(reader);
+    if (opcode == kChunk) open_chunk(reader);
+    return opcode == kMessage ? std::optional(message_in(reader)) : std::nullopt;
   }
 
   void add_schema(ByteReader& reader) {
@@ -64,48 +80,44 @@ class McapReader {
     channels_[id] = std::move(channel);
   }
 
-  void show_message(ByteReader& reader) {
+  BagMessage message_in(ByteReader& reader) const {
     const auto channel = channels_.find(reader.take_number(2));
     if (channel == channels_.end()) throw io_error(path_, "expected a channel before its messages");
     reader.take_number(4);  // a running number
     const auto stamp_ns = static_cast<std::int64_t>(reader.take_number(8));
     reader.take_number(8);  // when it was published
     const Channel& from = channel->second;
-    goes_on_ = goes_on_ && visit_({from.topic, from.type, from.form, stamp_ns, reader.rest()});
+    return {from.topic, from.type, from.form, stamp_ns, reader.rest()};
   }
 
-  void take_chunk(ByteReader& reader) {
+  void open_chunk(ByteReader& reader) {
     reader.take_number(8);  // the first stamp
     reader.take_number(8);  // the last one
     const std::uint64_t uncompressed = reader.take_number(8);
     reader.take_number(4);  // checksum
-    const std::string_view compression = reader.take_text();
-    if (!compression.empty())
-      throw io_error(path_, fmt::format("its chunks are compressed ({}), which this reader lacks; first run "
-                                        "'mcap compress --compression none IN -o OUT'",
-                                        compression));
+    const std::string compression(reader.take_text());
     const std::string_view records = reader.take(reader.take_number(8));
-    if (records.size() != uncompressed)
-      throw io_error(path_, fmt::format("expected a chunk of {} bytes, found {}", uncompressed, records.size()));
-    ByteReader inner(path_, records);
-    while (!inner.at_end() && goes_on_) {
-      const auto opcode = static_cast<std::uint8_t>(inner.take_number(1));
-      const std::string_view content = inner.take(inner.take_number(8));
-      if (opcode == kChunk) throw io_error(path_, "expected no chunk within another");
-      take_record(opcode, content);
-    }
+    if (!can_decompress(compression))
+      throw io_error(path_, fmt::format("its chunks are compressed ({}), which this build lacks; first run "
+                                        "'mcap compress --compression none IN -o OUT'",
+                                        in_quotes(compression)));
+    chunk_ = decompressed(path_, compression, records, uncompressed);
+    in_chunk_ = ByteReader(path_, chunk_);
   }
 
-  const std::filesystem::path& path_;
-  const MessageVisitor& visit_;
+  const std::filesystem::path path_;
   FileStream file_;
   std::map<std::uint64_t, std::string> schemas_;
   std::map<std::uint64_t, Channel> channels_;
-  bool goes_on_ = true;
+  std::string record_, chunk_;
+  ByteReader in_chunk_{path_, {}};
+  bool is_at_end_ = false;
 };
 
 }  // namespace
 
-void visit_mcap(const std::filesystem::path& path, const MessageVisitor& visit) { McapReader(path, visit).read(); }
+std::unique_ptr<MessageSource> open_mcap(const std::filesystem::path& path) {
+  return std::make_unique<McapReader>(path);
+}
 
 }  // namespace augicp

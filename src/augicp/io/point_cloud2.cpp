@@ -2,12 +2,12 @@
 #include "augicp/io/point_cloud2.h"
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "augicp/io/binary_points.h"
 #include "augicp/io/cloud_builder.h"
 #include "augicp/io/format.h"
+#include "augicp/io/message_reader.h"
 
 namespace augicp {
 namespace {
@@ -31,68 +31,10 @@ struct Layout {
   std::string_view data;
 };
 
-// Takes numbers and texts from the front of a message.
-class MessageReader {
- public:
-  MessageReader(const std::filesystem::path& source, std::string_view message, MessageForm form)
-      : source_(source), message_(message), form_(form) {
-    if (form == MessageForm::Ros1) return;
-    const std::string_view head = take_bytes(4);
-    if (head[0] != 0 || (head[1] != 0 && head[1] != 1)) fail("expected CDR, plain");
-    order_ = head[1] == 0 ? ByteOrder::Big : ByteOrder::Little;
-    begin_ = at_;
-  }
-
-  [[noreturn]] void fail(std::string_view what) const {
-    throw io_error(source_, fmt::format("PointCloud2, byte {}: {}", at_, what));
-  }
-
-  std::uint64_t take(ScalarType type) {
-    align(num_bytes(type));
-    return static_cast<std::uint64_t>(
-        static_cast<std::int64_t>(read_scalar(take_bytes(num_bytes(type)).data(), type, order_)));
-  }
-
-  std::uint32_t take_count() { return static_cast<std::uint32_t>(take(ScalarType::Uint32)); }
-
-  // Strings of CDR end in a zero, which counts.
-  std::string take_text() {
-    std::string_view text = take_bytes(take_count());
-    if (form_ == MessageForm::Cdr && text.ends_with('\0')) text.remove_suffix(1);
-    return std::string(text);
-  }
-
-  std::string_view take_bytes(std::uint64_t count) {
-    if (count > message_.size() - at_) fail(fmt::format("expected {} bytes, the message ends", count));
-    return message_.substr(std::exchange(at_, at_ + count), count);
-  }
-
- private:
-  void align(std::size_t size) {
-    if (form_ == MessageForm::Ros1) return;
-    const std::size_t excess = (at_ - begin_) % size;
-    if (excess > 0) take_bytes(size - excess);
-  }
-
-  const std::filesystem::path& source_;
-  std::string_view message_;
-  MessageForm form_;
-  ByteOrder order_ = ByteOrder::Little;
-  std::size_t at_ = 0, begin_ = 0;
-};
-
 std::optional<ScalarType> type_of(std::uint64_t code) {
   using enum ScalarType;
   constexpr ScalarType kTypes[] = {Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64};
   return code >= 1 && code <= std::size(kTypes) ? std::optional(kTypes[code - 1]) : std::nullopt;
-}
-
-std::int64_t take_stamp(MessageReader& reader, MessageForm form) {
-  constexpr std::int64_t kNanoseconds = 1'000'000'000;
-  if (form == MessageForm::Ros1) reader.take_count();  // a running number
-  const auto seconds =
-      static_cast<std::int64_t>(reader.take(form == MessageForm::Ros1 ? ScalarType::Uint32 : ScalarType::Int32));
-  return seconds * kNanoseconds + static_cast<std::int64_t>(reader.take_count());
 }
 
 std::vector<Field> take_fields(MessageReader& reader) {
@@ -112,10 +54,11 @@ std::vector<Field> take_fields(MessageReader& reader) {
   return fields;
 }
 
-Layout layout_of(MessageReader& reader, MessageForm form) {
+Layout layout_of(MessageReader& reader) {
   Layout layout;
-  layout.stamp_ns = take_stamp(reader, form);
-  layout.frame = reader.take_text();
+  const MessageHeader header = reader.take_header();
+  layout.stamp_ns = header.stamp_ns;
+  layout.frame = header.frame;
   layout.height = reader.take_count();
   layout.width = reader.take_count();
   layout.fields = take_fields(reader);
@@ -147,8 +90,8 @@ void check_steps(const MessageReader& reader, const Layout& layout) {
 
 PointCloud2 parse_point_cloud2(const std::filesystem::path& source, std::string_view message, MessageForm form,
                                const ReadOptions& options) {
-  MessageReader reader(source, message, form);
-  const Layout layout = layout_of(reader, form);
+  MessageReader reader(source, "PointCloud2", message, form);
+  const Layout layout = layout_of(reader);
   check_steps(reader, layout);
   check_num_points(source, layout.width * layout.height, options);
 

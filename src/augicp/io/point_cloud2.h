@@ -8,13 +8,9 @@
 #include <string_view>
 
 #include "augicp/io/cloud_file.h"
+#include "augicp/io/message_reader.h"
 
 namespace augicp {
-
-enum class MessageForm : std::uint8_t {
-  Ros1,  // packed, little endian
-  Cdr,   // ROS 2: aligned, behind four bytes that state the byte order
-};
 
 struct PointCloud2 {
   CloudFile file;

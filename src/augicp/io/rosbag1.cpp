@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "augicp/io/bag_parts.h"
+#include "augicp/io/decompress.h"
 #include "augicp/io/format.h"
 
 namespace augicp {
@@ -20,21 +21,33 @@ struct Connection {
   std::string topic, type;
 };
 
-class RosbagReader {
+class RosbagReader : public MessageSource {
  public:
-  RosbagReader(const std::filesystem::path& path, const MessageVisitor& visit)
-      : path_(path), visit_(visit), file_(path) {}
-
-  void read() {
+  explicit RosbagReader(const std::filesystem::path& path) : path_(path), file_(path) {
     if (file_.num_left() < kMagic.size() || file_.read(kMagic.size()) != kMagic)
       throw io_error_at_byte(path_, 0, "expected '#ROSBAG V2.0', the mark of a bag");
-    while (goes_on_ && file_.num_left() > 0) {
-      const std::string header = take_part(), data = take_part();
-      take_record(header, data, /*in_chunk=*/false);
+  }
+
+  std::optional<BagMessage> next() override {
+    while (!in_chunk_.at_end() || file_.num_left() > 0) {
+      const auto message = in_chunk_.at_end() ? from_file() : from_chunk();
+      if (message) return message;
     }
+    return std::nullopt;
   }
 
  private:
+  std::optional<BagMessage> from_file() {
+    const std::string header = take_part();
+    data_ = take_part();
+    return take_record(header, data_, /*in_chunk=*/false);
+  }
+
+  std::optional<BagMessage> from_chunk() {
+    const std::string_view header = in_chunk_.take_text(), data = in_chunk_.take_text();
+    return take_record(header, data, /*in_chunk=*/true);
+  }
+
   std::string take_part() {
     const std::string length = file_.read(4);
     return file_.read(ByteReader(path_, length).take_number(4));
@@ -62,16 +75,17 @@ class RosbagReader {
     return ByteReader(path_, value(header, name)).take_number(num_bytes);
   }
 
-  void take_record(std::string_view header_bytes, std::string_view data, bool in_chunk) {
+  std::optional<BagMessage> take_record(std::string_view header_bytes, std::string_view data, bool in_chunk) {
     const Header header = fields_of(header_bytes);
     const std::uint64_t operation = number(header, "op", 1);
     if (operation == kBagHeader && number(header, "index_pos", 8) == 0)
       throw io_error(path_, "the recording did not end, so the bag has no index; run 'rosbag reindex'");
     if (operation == kConnection) add_connection(header, data);
-    if (operation == kMessageData) show_message(header, data);
-    if (operation != kChunk) return;
+    if (operation == kMessageData) return message_in(header, data);
+    if (operation != kChunk) return std::nullopt;
     if (in_chunk) throw io_error(path_, "expected no chunk within another");
-    take_chunk(header, data);
+    open_chunk(header, data);
+    return std::nullopt;
   }
 
   void add_connection(const Header& header, std::string_view data) {
@@ -79,7 +93,7 @@ class RosbagReader {
     connections_[number(header, "conn", 4)] = {std::string(value(header, "topic")), plain_type(value(inner, "type"))};
   }
 
-  void show_message(const Header& header, std::string_view data) {
+  BagMessage message_in(const Header& header, std::string_view data) const {
     constexpr std::int64_t kNanoseconds = 1'000'000'000;
     const auto connection = connections_.find(number(header, "conn", 4));
     if (connection == connections_.end()) throw io_error(path_, "expected a connection before its messages");
@@ -87,31 +101,31 @@ class RosbagReader {
     const auto seconds = static_cast<std::int64_t>(time.take_number(4));
     const std::int64_t stamp_ns = seconds * kNanoseconds + static_cast<std::int64_t>(time.take_number(4));
     const Connection& from = connection->second;
-    goes_on_ = goes_on_ && visit_({from.topic, from.type, MessageForm::Ros1, stamp_ns, data});
+    return {from.topic, from.type, MessageForm::Ros1, stamp_ns, data};
   }
 
-  void take_chunk(const Header& header, std::string_view data) {
-    if (const std::string_view compression = value(header, "compression"); compression != "none")
+  void open_chunk(const Header& header, std::string_view data) {
+    const std::string_view stated = value(header, "compression");
+    const std::string compression(stated == "none" ? "" : stated);
+    if (!can_decompress(compression))
       throw io_error(path_,
-                     fmt::format("its chunks are compressed ({}), which this reader lacks; run 'rosbag decompress'",
+                     fmt::format("its chunks are compressed ({}), which this build lacks; run 'rosbag decompress'",
                                  in_quotes(compression)));
-    if (data.size() != number(header, "size", 4)) throw io_error(path_, "expected a chunk of its stated size");
-    ByteReader reader(path_, data);
-    while (!reader.at_end() && goes_on_) {
-      const std::string_view inner_header = reader.take_text(), inner_data = reader.take_text();
-      take_record(inner_header, inner_data, /*in_chunk=*/true);
-    }
+    chunk_ = decompressed(path_, compression, data, number(header, "size", 4));
+    in_chunk_ = ByteReader(path_, chunk_);
   }
 
-  const std::filesystem::path& path_;
-  const MessageVisitor& visit_;
+  const std::filesystem::path path_;
   FileStream file_;
   std::map<std::uint64_t, Connection> connections_;
-  bool goes_on_ = true;
+  std::string data_, chunk_;
+  ByteReader in_chunk_{path_, {}};
 };
 
 }  // namespace
 
-void visit_rosbag1(const std::filesystem::path& path, const MessageVisitor& visit) { RosbagReader(path, visit).read(); }
+std::unique_ptr<MessageSource> open_rosbag1(const std::filesystem::path& path) {
+  return std::make_unique<RosbagReader>(path);
+}
 
 }  // namespace augicp

@@ -35,28 +35,46 @@ std::string_view text_in(sqlite3_stmt* statement, int column) {
               : std::string_view();
 }
 
+class SqliteReader : public MessageSource {
+ public:
+  explicit SqliteReader(const std::filesystem::path& path)
+      : path_(path), database_(opened(path)), statement_(nullptr, &sqlite3_finalize) {
+    sqlite3_stmt* raw = nullptr;
+    const int code =
+        sqlite3_prepare_v2(database_.get(),
+                           "SELECT topics.name, topics.type, messages.timestamp, messages.data FROM messages "
+                           "JOIN topics ON topics.id = messages.topic_id ORDER BY messages.timestamp, messages.id",
+                           -1, &raw, nullptr);
+    statement_.reset(raw);
+    if (code != SQLITE_OK) fail(path_, database_.get());
+  }
+
+  std::optional<BagMessage> next() override {
+    sqlite3_stmt* const row = statement_.get();
+    const int step = is_at_end_ ? SQLITE_DONE : sqlite3_step(row);
+    is_at_end_ = step != SQLITE_ROW;
+    if (step == SQLITE_DONE) return std::nullopt;
+    if (step != SQLITE_ROW) fail(path_, database_.get());
+    type_ = plain_type(text_in(row, 1));
+    const auto* data = static_cast<const char*>(sqlite3_column_blob(row, 3));
+    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(row, 3));
+    const std::string_view bytes = data ? std::string_view(data, size) : std::string_view();
+    return BagMessage{text_in(row, 0), type_, MessageForm::Cdr, sqlite3_column_int64(row, 2), bytes};
+  }
+
+ private:
+  const std::filesystem::path path_;
+  Database database_;
+  Statement statement_;
+  std::string type_;
+  bool is_at_end_ = false;
+};
+
 }  // namespace
 
-void visit_sqlite(const std::filesystem::path& path, const MessageVisitor& visit) {
+std::unique_ptr<MessageSource> open_sqlite(const std::filesystem::path& path) {
   FileStream exists(path);
-  const Database database = opened(path);
-  sqlite3_stmt* raw = nullptr;
-  const int code =
-      sqlite3_prepare_v2(database.get(),
-                         "SELECT topics.name, topics.type, messages.timestamp, messages.data FROM messages "
-                         "JOIN topics ON topics.id = messages.topic_id ORDER BY messages.timestamp, messages.id",
-                         -1, &raw, nullptr);
-  const Statement statement(raw, &sqlite3_finalize);
-  if (code != SQLITE_OK) fail(path, database.get());
-  int step = SQLITE_ROW;
-  while ((step = sqlite3_step(raw)) == SQLITE_ROW) {
-    const std::string type = plain_type(text_in(raw, 1));
-    const auto* data = static_cast<const char*>(sqlite3_column_blob(raw, 3));
-    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(raw, 3));
-    const std::string_view bytes = data ? std::string_view(data, size) : std::string_view();
-    if (!visit({text_in(raw, 0), type, MessageForm::Cdr, sqlite3_column_int64(raw, 2), bytes})) return;
-  }
-  if (step != SQLITE_DONE) fail(path, database.get());
+  return std::make_unique<SqliteReader>(path);
 }
 
 }  // namespace augicp
@@ -65,7 +83,7 @@ void visit_sqlite(const std::filesystem::path& path, const MessageVisitor& visit
 
 namespace augicp {
 
-void visit_sqlite(const std::filesystem::path& path, const MessageVisitor&) {
+std::unique_ptr<MessageSource> open_sqlite(const std::filesystem::path& path) {
   throw io_error(path, "augicp was built without SQLite (libsqlite3-dev); 'ros2 bag convert' makes an .mcap of it");
 }
 

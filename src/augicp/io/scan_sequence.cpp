@@ -6,9 +6,12 @@
 #include <optional>
 
 #include "augicp/core/check.h"
+#include "augicp/io/bag_topics.h"
 #include "augicp/io/file_bytes.h"
 #include "augicp/io/format.h"
+#include "augicp/io/natural_order.h"
 #include "augicp/io/parse_number.h"
+#include "augicp/io/read_cloud.h"
 #include "augicp/io/text_lines.h"
 
 namespace augicp {
@@ -20,31 +23,6 @@ constexpr const char* kEndings[] = {".bin", ".pcd", ".ply"};
 
 // Every number with a decimal point or more digits is a stamp in some unit, or no number of a frame.
 constexpr double kMaxNumber = 1e9;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// Runs of digits compare as numbers, everything else as text.
-bool naturally_before(const std::string& a, const std::string& b) {
-  std::size_t i = 0, k = 0;
-  while (i < a.size() && k < b.size()) {
-    if (!is_digit(a[i]) || !is_digit(b[k])) {
-      if (a[i] != b[k]) return a[i] < b[k];
-      ++i, ++k;
-      continue;
-    }
-    std::size_t i_end = i, k_end = k;
-    while (i_end < a.size() && is_digit(a[i_end])) ++i_end;
-    while (k_end < b.size() && is_digit(b[k_end])) ++k_end;
-    while (i < i_end && a[i] == '0') ++i;
-    while (k < k_end && b[k] == '0') ++k;
-    if (i_end - i != k_end - k) return i_end - i < k_end - k;
-    const int order = a.compare(i, i_end - i, b, k, k_end - k);
-    if (order != 0) return order < 0;
-    i = i_end, k = k_end;
-  }
-  if (a.size() - i != b.size() - k) return a.size() - i < b.size() - k;
-  return a < b;
-}
 
 std::string ending_of(const fs::path& path) {
   std::string ending = path.extension().string();
@@ -155,6 +133,26 @@ ScanSequence read_scan_sequence(const fs::path& folder, double scans_per_s) {
     sequence.scans.push_back({stamp_s, scans[i]});
   }
   return sequence;
+}
+
+ScanSequence scans_of_topic(const fs::path& bag, const std::string& topic, const std::vector<double>& stamps_s) {
+  ScanSequence sequence{true, "recording", {}, bag, topic};
+  for (std::size_t i = 0; i < stamps_s.size(); ++i)
+    sequence.scans.push_back({stamps_s[i], message_name(bag, topic, i)});
+  return sequence;
+}
+
+ScanReader::ScanReader(const ScanSequence& sequence) : scans_(sequence.scans) {
+  if (!sequence.topic.empty()) topic_ = std::make_unique<TopicReader>(sequence.bag, sequence.topic);
+}
+
+ScanReader::~ScanReader() = default;
+
+CloudFile ScanReader::read(std::size_t scan, const ReadOptions& options) {
+  const fs::path& path = scans_[scan].path;
+  if (!topic_) return read_cloud(path, options);
+  const BagMessage message = topic_->message(scan);
+  return parse_point_cloud2(path, message.data, message.form, options).file;
 }
 
 }  // namespace augicp

@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Folders of LiDAR scans.
+// Sequences of LiDAR scans: folders, and topics of recordings.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "augicp/io/cloud_file.h"
 
 namespace augicp {
 
 struct ScanFile {
   double stamp_s = 0.0;
-  std::filesystem::path path;
+  std::filesystem::path path;  // of a recording: the name of the message
 };
 
 struct ScanSequence {
-  bool has_stamps = false;      // from a list; else the stamps are made from numbers and a rate
-  std::string layout;           // "KITTI odometry", "KITTI raw" or "scans"
+  bool has_stamps = false;      // from a list or messages; else the stamps are made from numbers and a rate
+  std::string layout;           // "KITTI odometry", "KITTI raw", "scans" or "recording"
   std::vector<ScanFile> scans;  // in natural order (2.bin before 10.bin), unless stamps are given in that of the stamps
+  std::filesystem::path bag{};  // of a recording, and its topic; else empty
+  std::string topic{};
 };
 
 // The .bin, .pcd and .ply files of a folder, of its folder velodyne/ (KITTI odometry) or of its folder
@@ -29,5 +34,26 @@ std::vector<std::filesystem::path> find_scans(const std::filesystem::path& folde
 // ascend; else the place / scans_per_s. Scans are not opened. Throws IoError if there are no scans, if a list of stamps
 // has not as many as there are scans or does not ascend, and std::invalid_argument unless scans_per_s is above 0.
 ScanSequence read_scan_sequence(const std::filesystem::path& folder, double scans_per_s);
+
+// The clouds of a topic of a recording, in the order of the recording.
+ScanSequence scans_of_topic(const std::filesystem::path& bag, const std::string& topic,
+                            const std::vector<double>& stamps_s);
+
+class TopicReader;
+
+// Reads the scans of a sequence. Those of a recording are best read in ascending order, see TopicReader. Thread safety:
+// none.
+class ScanReader {
+ public:
+  explicit ScanReader(const ScanSequence& sequence);
+  ~ScanReader();
+
+  // Throws IoError for a scan that cannot be read. REQUIRES: a number below the sequence's length.
+  CloudFile read(std::size_t scan, const ReadOptions& options);
+
+ private:
+  std::vector<ScanFile> scans_;
+  std::unique_ptr<TopicReader> topic_;
+};
 
 }  // namespace augicp

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "augicp/io/bag_topics.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "augicp/io/file_bytes.h"
+#include "augicp/io/format.h"
+
+namespace augicp {
+
+double stamp_s(const BagMessage& message) {
+  constexpr double kNanoseconds = 1e9;
+  std::int64_t stamp_ns = 0;
+  try {
+    const std::filesystem::path nowhere;
+    stamp_ns = MessageReader(nowhere, message.type, message.data, message.form).take_header().stamp_ns;
+  } catch (const IoError&) {  // whoever reads the message reports it
+  }
+  return static_cast<double>(stamp_ns != 0 ? stamp_ns : message.stamp_ns) / kNanoseconds;
+}
+
+std::vector<StampedTopic> stamped_topics(const std::filesystem::path& bag, std::span<const std::string> types) {
+  std::map<std::string, StampedTopic, std::less<>> by_name;
+  BagReader reader(bag);
+  while (const auto message = reader.next()) {
+    if (std::find(types.begin(), types.end(), message->type) == types.end()) continue;
+    auto entry = by_name.find(message->topic);
+    if (entry == by_name.end())
+      entry = by_name.emplace(message->topic, StampedTopic{std::string(message->topic), std::string(message->type), {}})
+                  .first;
+    entry->second.stamps_s.push_back(stamp_s(*message));
+  }
+  std::vector<StampedTopic> topics;
+  for (auto& [name, topic] : by_name) topics.push_back(std::move(topic));
+  return topics;
+}
+
+TopicReader::TopicReader(std::filesystem::path bag, std::string topic)
+    : bag_(std::move(bag)), topic_(std::move(topic)) {}
+
+BagMessage TopicReader::message(std::size_t number) {
+  if (!reader_ || number < next_) {
+    reader_.emplace(bag_);
+    next_ = 0;
+  }
+  while (const auto message = reader_->next())
+    if (message->topic == topic_ && next_++ == number) return *message;
+  throw io_error(bag_, fmt::format("expected message {} of {}, found {}", number, topic_, next_));
+}
+
+std::string message_name(const std::filesystem::path& bag, const std::string& topic, std::size_t number) {
+  return fmt::format("{}: {}, message {}", bag.string(), topic, number);
+}
+
+}  // namespace augicp

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Topics of a recording whose messages begin with a header: their stamps, and their messages by number.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "augicp/io/bag.h"
+
+namespace augicp {
+
+inline constexpr const char* kPointCloud2 = "sensor_msgs/PointCloud2";
+
+struct StampedTopic {
+  std::string name, type;
+  std::vector<double> stamps_s;  // of the messages, in the order of BagReader
+};
+
+// The topics of these types, by name. A stamp is that of the header, or if it is zero that of the recording, seconds.
+// Reads the whole recording; throws as BagReader does.
+std::vector<StampedTopic> stamped_topics(const std::filesystem::path& bag, std::span<const std::string> types);
+
+// The stamp of a message whose type begins with a header. Never throws: a damaged header leaves the recording's stamp.
+double stamp_s(const BagMessage& message);
+
+// The messages of one topic by their number, from 0. Numbers that ascend cost one pass through the recording; a step
+// back begins another. Thread safety: none.
+class TopicReader {
+ public:
+  TopicReader(std::filesystem::path bag, std::string topic);
+
+  // Valid until the next call. Throws IoError, also if there are not as many.
+  BagMessage message(std::size_t number);
+
+ private:
+  std::filesystem::path bag_;
+  std::string topic_;
+  std::optional<BagReader> reader_;
+  std::size_t next_ = 0;
+};
+
+// How messages name a message of a topic: "drive.mcap: /points, message 12".
+std::string message_name(const std::filesystem::path& bag, const std::string& topic, std::size_t number);
+
+}  // namespace augicp

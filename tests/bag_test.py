@@ -1,0 +1,180 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""`augicp odometry` on recordings: the scans of lidar_test.py's hall as bags of ROS 1 and ROS 2 and as MCAP, against the
+same scans in a folder.
+
+    bag_test.py COMMAND PROJECT
+"""
+import bz2
+import json
+import sqlite3
+import struct
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+from lidar_test import rows_of, run, scan
+
+NUM_SCANS, START_S, GAP_S = 5, 1_700_000_000, 0.1
+FIELDS = [("x", "<f4", 7), ("y", "<f4", 7), ("z", "<f4", 7), ("intensity", "<f4", 7), ("t", "<u4", 6)]
+
+
+def stamp_ns(k):
+    return START_S * 10**9 + k * round(GAP_S * 1e9)
+
+
+class Message:
+    """Bytes of a message; CDR aligns numbers from behind its first four bytes, and ends texts with a zero."""
+
+    def __init__(self, is_cdr):
+        self.is_cdr, self.data = is_cdr, bytearray(b"\0\1\0\0" if is_cdr else b"")
+
+    def numbers(self, *values):
+        self.data.extend(bytes(-len(self.data) % 4 if self.is_cdr else 0) + struct.pack(f"<{len(values)}I", *values))
+
+    def text(self, words):
+        self.numbers(len(words) + self.is_cdr)
+        self.data.extend(words.encode() + b"\0" * self.is_cdr)
+
+    def header(self, stamp, frame):
+        self.numbers(*(() if self.is_cdr else (0,)), stamp // 10**9, stamp % 10**9)
+        self.text(frame)
+
+
+def point_cloud2(is_cdr, k, points):
+    """times: of 0 to 0.1 s, nanoseconds."""
+    rows = np.zeros(len(points), np.dtype({"names": [f[0] for f in FIELDS], "formats": [f[1] for f in FIELDS]}))
+    for i, name in enumerate(("x", "y", "z", "intensity")):
+        rows[name] = points[:, i]
+    rows["t"] = np.linspace(0, 1e8, len(points))
+    message = Message(is_cdr)
+    message.header(stamp_ns(k), "lidar")
+    message.numbers(1, len(points), len(FIELDS))
+    for name, _, kind in FIELDS:
+        message.text(name)
+        message.numbers(rows.dtype.fields[name][1])
+        message.data.append(kind)
+        message.numbers(1)
+    message.data.append(0)
+    message.numbers(rows.itemsize, rows.nbytes, rows.nbytes)
+    return bytes(message.data) + rows.tobytes() + b"\1"
+
+
+def text(words):
+    return struct.pack("<I", len(words)) + words
+
+
+def mcap(messages):
+    def record(opcode, content):
+        return struct.pack("<BQ", opcode, len(content)) + content
+    magic = b"\x89MCAP0\r\n"
+    out = magic + record(1, text(b"ros2") + text(b"")) + record(3, struct.pack("<H", 1) + text(b"sensor_msgs/msg/PointCloud2") + text(b"ros2msg") + text(b""))
+    for channel, topic in ((1, b"/points"), (2, b"/others")):
+        out += record(4, struct.pack("<HH", channel, 1) + text(topic) + text(b"cdr") + struct.pack("<I", 0))
+    for k, data in enumerate(messages):
+        out += record(5, struct.pack("<HIQQ", 1, k, stamp_ns(k) + 5, 0) + data)
+    out += record(5, struct.pack("<HIQQ", 2, 0, stamp_ns(0), 0) + messages[0])
+    return out + record(15, bytes(4)) + record(2, bytes(20)) + magic
+
+
+def rosbag1(messages):
+    def header(**values):
+        return text(b"".join(text(name.encode() + b"=" + value) for name, value in values.items()))
+    chunk = header(op=b"\7", conn=bytes(4), topic=b"/points") + header(topic=b"/points", type=b"sensor_msgs/PointCloud2")
+    for k, data in enumerate(messages):
+        time = struct.pack("<II", stamp_ns(k) // 10**9, stamp_ns(k) % 10**9)
+        chunk += header(op=b"\2", conn=bytes(4), time=time) + text(data)
+    return (b"#ROSBAG V2.0\n" + header(op=b"\3", index_pos=struct.pack("<Q", 99)) + text(b" " * 20) +
+            header(op=b"\5", compression=b"bz2", size=struct.pack("<I", len(chunk))) + text(bz2.compress(chunk)))
+
+
+def write_db3(path, messages):
+    with sqlite3.connect(path) as database:
+        database.execute("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT)")
+        database.execute("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)")
+        database.execute("INSERT INTO topics VALUES(1, '/points', 'sensor_msgs/msg/PointCloud2')")
+        for k, data in messages:
+            database.execute("INSERT INTO messages(topic_id, timestamp, data) VALUES(1, ?, ?)", (stamp_ns(k), data))
+    database.close()
+
+
+def write_folder(folder, clouds):
+    """Ordinary scans, PCD with the same fields."""
+    folder.mkdir()
+    for k, points in enumerate(clouds):
+        rows = np.frombuffer(point_cloud2(False, k, points)[:-1][-20 * len(points):], np.uint8)
+        head = (f"VERSION 0.7\nFIELDS x y z intensity t\nSIZE 4 4 4 4 4\nTYPE F F F F U\nCOUNT 1 1 1 1 1\n"
+                f"WIDTH {len(points)}\nHEIGHT 1\nPOINTS {len(points)}\nDATA binary\n")
+        (folder / f"{k}.pcd").write_bytes(head.encode() + rows.tobytes())
+    (folder / "times.txt").write_text("".join(f"{stamp_ns(k) / 1e9:.9f}\n" for k in range(len(clouds))))
+
+
+class Bags(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.root = Path(cls.scratch.name)
+        generator = np.random.default_rng(27)
+        clouds = [scan(k, generator) for k in range(NUM_SCANS)]
+        write_folder(cls.root / "scans", clouds)
+        cdr, ros1 = ([point_cloud2(is_cdr, k, points) for k, points in enumerate(clouds)] for is_cdr in (True, False))
+        (cls.root / "a.mcap").write_bytes(mcap(cdr))
+        (cls.root / "a.bag").write_bytes(rosbag1(ros1))
+        write_db3(cls.root / "a.db3", list(enumerate(cdr)))
+        folder = cls.root / "rosbag2"
+        folder.mkdir()
+        (folder / "metadata.yaml").write_text("rosbag2_bagfile_information:\n")
+        write_db3(folder / "rosbag2_2.db3", list(enumerate(cdr))[:2])
+        write_db3(folder / "rosbag2_10.db3", list(enumerate(cdr))[2:])
+        cls.plain = run(cls.root / "scans", "--output", cls.root / "out", "--quiet")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def track(self, bag, *options):
+        output = self.root / f"{bag}-out"
+        return run(self.root / bag, "--output", output, "--quiet", *options), output
+
+    def test_a_recording_gives_the_trajectory_of_its_scans(self):
+        self.assertEqual(self.plain.returncode, 0, self.plain.stderr)
+        expected = (self.root / "out/trajectory.txt").read_text()
+        self.assertEqual(len([line for line in expected.splitlines() if not line.startswith("#")]), NUM_SCANS)
+        for bag in ("a.mcap", "a.bag", "a.db3", "rosbag2"):
+            finished, output = self.track(bag, "--topic", "/points")
+            if "built without" in finished.stderr or "this build lacks" in finished.stderr:
+                print(f"skipped: {finished.stderr.strip()}")
+                continue
+            self.assertEqual((finished.returncode, finished.stderr), (0, ""), bag)
+            self.assertEqual((output / "trajectory.txt").read_text(), expected, bag)
+            self.assertIn("field t, nanoseconds", json.loads((output / "metrics.json").read_text())["point_times"])
+            self.assertTrue(rows_of(output / "frames.csv")[3]["image"].endswith("points, message 3"))
+
+    def test_parts_of_a_recording_are_chosen(self):
+        finished, output = self.track("a.bag", "--first", 1, "--last", 4, "--every", 2)
+        if "this build lacks" in finished.stderr:
+            self.skipTest(finished.stderr)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        self.assertEqual([row["frame"] for row in rows_of(output / "frames.csv")], ["1", "3"])
+
+    def test_the_topic_is_asked_for(self):
+        output = self.root / "not made"
+        finished = run(self.root / "a.mcap", "--output", output)
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn("which --topic? It has /others (1), /points (5)", finished.stderr)
+        self.assertFalse(output.exists())
+        self.assertIn("none", run(self.root / "scans", "--topic", "/points").stderr)
+
+    def test_damage_is_said(self):
+        (self.root / "cut.mcap").write_bytes((self.root / "a.mcap").read_bytes()[:-100000])
+        finished, output = self.track("cut.mcap", "--topic", "/points")
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn("cut.mcap", finished.stderr)
+        self.assertFalse(output.exists())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v"])
