@@ -9,6 +9,7 @@ import bz2
 import json
 import sqlite3
 import struct
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -112,6 +113,23 @@ def write_folder(folder, clouds):
     (folder / "times.txt").write_text("".join(f"{stamp_ns(k) / 1e9:.9f}\n" for k in range(len(clouds))))
 
 
+def counts_of(bag):
+    info = subprocess.run([sys.argv[1], "info", bag, "--json", "-"], capture_output=True, text=True, check=True)
+    return {topic["name"]: topic["num_messages"] for topic in json.loads(info.stdout)["topics"]}
+
+
+def messages_of(bag, topic):
+    """(stamp in nanoseconds, message), by another reader: mcap and mcap-ros2-support, from the index and the summary."""
+    try:
+        from mcap.reader import make_reader
+        from mcap_ros2.decoder import DecoderFactory
+    except ImportError:
+        raise unittest.SkipTest("needs mcap and mcap-ros2-support of PyPI: no second reader of recordings here")
+    with open(bag, "rb") as file:
+        reader = make_reader(file, decoder_factories=[DecoderFactory()])
+        return [(message.log_time, ros) for _, _, message, ros in reader.iter_decoded_messages(topics=[topic])]
+
+
 class Bags(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -129,6 +147,7 @@ class Bags(unittest.TestCase):
         (folder / "metadata.yaml").write_text("rosbag2_bagfile_information:\n")
         write_db3(folder / "rosbag2_2.db3", list(enumerate(cdr))[:2])
         write_db3(folder / "rosbag2_10.db3", list(enumerate(cdr))[2:])
+        cls.clouds = clouds
         cls.plain = run(cls.root / "scans", "--output", cls.root / "out", "--quiet")
 
     @classmethod
@@ -152,6 +171,54 @@ class Bags(unittest.TestCase):
             self.assertEqual((output / "trajectory.txt").read_text(), expected, bag)
             self.assertIn("field t, nanoseconds", json.loads((output / "metrics.json").read_text())["point_times"])
             self.assertTrue(rows_of(output / "frames.csv")[3]["image"].endswith("points, message 3"))
+
+    def test_results_become_a_recording(self):
+        """Poses with covariances, scans and map, by our own reader and by another."""
+        result = self.root / "result.mcap"
+        finished = run(self.root / "scans", "--output", self.root / "with", "--quiet", "--mcap", result)
+        self.assertEqual((finished.returncode, finished.stderr), (0, ""))
+        self.assertEqual(counts_of(result), {"/map": 1, "/odometry": NUM_SCANS, "/points": NUM_SCANS, "/tf": NUM_SCANS})
+        poses = np.loadtxt(self.root / "with/trajectory.txt")
+        odometry, tf = messages_of(result, "/odometry"), messages_of(result, "/tf")
+        for row, (stamp, odom), (_, transforms) in zip(poses, odometry, tf, strict=True):
+            self.assertAlmostEqual(stamp / 1e9, row[0], 5)
+            p, q = odom.pose.pose.position, odom.pose.pose.orientation
+            np.testing.assert_allclose([p.x, p.y, p.z, q.x, q.y, q.z, q.w], row[1:], atol=1e-8)
+            self.assertEqual((odom.header.frame_id, odom.child_frame_id), ("map", "sensor"))
+            t = transforms.transforms[0]
+            self.assertEqual((t.header.frame_id, t.child_frame_id, t.transform.translation.x), ("map", "sensor", p.x))
+        # The file's are about the last keyframe, those of the recording about the sensor.
+        listed = np.genfromtxt(self.root / "with/covariances.csv", delimiter=",", skip_header=1)[:, 1:]
+        keyframes = [row["keyframe"] == "1" for row in rows_of(self.root / "with/frames.csv")]
+        for k, (_, odom) in enumerate(odometry[1:], 1):
+            keyframe = max(i for i in range(k) if keyframes[i])
+            x, y, z = poses[k, 1:4] - poses[keyframe, 1:4]
+            about_sensor = np.eye(6)
+            about_sensor[:3, 3:] = [[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]]  # t + r x offset
+            covariance = np.zeros((6, 6))
+            covariance[np.triu_indices(6)] = listed[k - 1]
+            covariance += np.triu(covariance, 1).T
+            expected = about_sensor @ covariance @ about_sensor.T
+            np.testing.assert_allclose(np.reshape(odom.pose.covariance, (6, 6)), expected, rtol=1e-3, atol=1e-4 * expected.max())
+        for k, (_, cloud) in enumerate(messages_of(result, "/points")):
+            names = [(field.name, field.offset, field.datatype) for field in cloud.fields]
+            self.assertEqual(names, [("x", 0, 7), ("y", 4, 7), ("z", 8, 7), ("intensity", 12, 7)])
+            rows = np.frombuffer(cloud.data, "<f4").reshape(-1, 4)
+            np.testing.assert_array_equal(rows[:, :3], self.clouds[k][:, :3])
+
+    def test_aligned_clouds_become_a_recording(self):
+        project, result = Path(sys.argv[2]), self.root / "pair.mcap"
+        pair = [project / "data/room_pair" / name for name in ("source.ply", "target.ply")]
+        finished = subprocess.run([sys.argv[1], "align", *pair, "--mcap", result, "--json", "-"], capture_output=True, text=True)
+        self.assertEqual((finished.returncode, finished.stderr), (0, ""))
+        self.assertEqual(counts_of(result), {"/odometry": 1, "/source": 1, "/target": 1, "/tf": 1})
+        pose = np.array(json.loads(finished.stdout)["T_target_source"])
+        given = [np.frombuffer(path.read_bytes().split(b"end_header\n", 1)[1], "<f4").reshape(-1, 3) for path in pair]
+        moved, target = (np.frombuffer(messages_of(result, topic)[0][1].data, "<f4").reshape(-1, 3) for topic in ("/source", "/target"))
+        np.testing.assert_array_equal(target, given[1])
+        np.testing.assert_allclose(moved, given[0] @ pose[:3, :3].T + pose[:3, 3], atol=1e-4)
+        p = messages_of(result, "/odometry")[0][1].pose.pose.position
+        np.testing.assert_allclose([p.x, p.y, p.z], pose[:3, 3], atol=1e-12)
 
     def test_parts_of_a_recording_are_chosen(self):
         finished, output = self.track("a.bag", "--first", 1, "--last", 4, "--every", 2)

@@ -11,6 +11,7 @@
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
+#include "apps/augicp/command/recording.h"
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/align_page.h"
 #include "apps/augicp/text/align.h"
@@ -22,7 +23,7 @@ namespace augicp::app {
 namespace {
 
 struct AlignArguments {
-  std::string source, target, source_image, target_image, initial, transform, output, json, page;
+  std::string source, target, source_image, target_image, initial, transform, output, json, page, mcap;
   InputOptions input;
   RegistrationOptions registration;
   Progress progress = Progress::Auto;
@@ -38,9 +39,14 @@ Rigid3 initial_pose(const std::string& argument) {
 struct AlignRun {
   AlignReport report;
   Rigid3 initial;
-  CloudFile source_as_read;  // empty without --output
+  CloudFile source_as_read, target_as_read;  // empty unless they are written
   PreparedPair prepared;
 };
+
+CloudFile as_read(Input& input) {
+  return {input.scan.cloud, std::move(input.grid), std::move(input.report), std::move(input.las),
+          std::move(input.fields)};
+}
 
 AlignRun register_files(const AlignArguments& arguments) {
   AlignRun run;
@@ -58,14 +64,14 @@ AlignRun register_files(const AlignArguments& arguments) {
   begin("reading", "reading " + arguments.source + " and " + arguments.target);
   report.with_history = arguments.trace;
   const Stopwatch reading;
-  InputOptions with_fields = arguments.input;
-  with_fields.read.keep_fields = !arguments.output.empty();
-  Input read = read_input(arguments.source, with_fields, arguments.source_image);
-  Scan source = std::move(read.scan);
-  if (!arguments.output.empty())
-    run.source_as_read = {source.cloud, std::move(read.grid), std::move(read.report), std::move(read.las),
-                          std::move(read.fields)};
-  Scan target = read_input(arguments.target, arguments.input, arguments.target_image).scan;
+  InputOptions of_source = arguments.input, of_target = arguments.input;
+  of_target.read.keep_fields = !arguments.mcap.empty();
+  of_source.read.keep_fields = !arguments.output.empty() || !arguments.mcap.empty();
+  Input source_read = read_input(arguments.source, of_source, arguments.source_image);
+  Input target_read = read_input(arguments.target, of_target, arguments.target_image);
+  if (of_source.read.keep_fields) run.source_as_read = as_read(source_read);
+  if (of_target.read.keep_fields) run.target_as_read = as_read(target_read);
+  Scan source = std::move(source_read.scan), target = std::move(target_read.scan);
   report.timing_ms.read = reading.elapsed_ms();
   warn_of_units(source.cloud, target.cloud);
   begin("surfaces", "downsampling both scans and estimating their surfaces");
@@ -102,6 +108,7 @@ ExitCode exit_code_for(AlignStatus status) {
 int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd", ".las"});
+  require_extension(arguments.mcap, {".mcap"}, "--mcap");
   require_use_of_camera(arguments.input, {arguments.source, arguments.target});
   AlignRun run = register_files(arguments);
   const AlignReport& report = run.report;
@@ -110,10 +117,9 @@ int run_align(const AlignArguments& arguments) {
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
   if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
-  if (!arguments.output.empty()) {
-    run.source_as_read.cloud = transform(run.source_as_read.cloud, pose);
-    write_cloud_output(arguments.output, run.source_as_read, arguments.quiet);
-  }
+  run.source_as_read.cloud = transform(run.source_as_read.cloud, pose);
+  if (!arguments.output.empty()) write_cloud_output(arguments.output, run.source_as_read, arguments.quiet);
+  if (!arguments.mcap.empty()) write_align_mcap(arguments.mcap, report, run.source_as_read, run.target_as_read);
   if (!arguments.page.empty()) write_text_file(arguments.page, align_page({report, run.initial, run.prepared}));
   return exit_code_for(report.result.status);
 }
@@ -136,6 +142,7 @@ void add_output_options(CLI::App& command, AlignArguments& arguments) {
   command
       .add_option("--report", arguments.page, "Write a report: one HTML file with both clouds in 3D, readable offline")
       ->group(group);
+  add_mcap_option(command, arguments.mcap);
   command.add_flag("--trace", arguments.trace, "Include every iteration in the JSON")->group(group);
   add_progress_option(command, arguments.progress);
   command.add_flag("--verbose", arguments.verbose, "Explain on stderr what was derived, tried and decided")

@@ -172,10 +172,11 @@ DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& fo
   return asked_for.empty() ? *sequence.camera : read_camera(asked_for);
 }
 
-void require_extension(const std::string& output, const std::vector<std::string>& extensions) {
+void require_extension(const std::string& output, const std::vector<std::string>& extensions,
+                       const std::string& option) {
   const bool known = std::find(extensions.begin(), extensions.end(), lower_case_extension(output)) != extensions.end();
   if (output.empty() || known) return;
-  throw std::invalid_argument(fmt::format("--output {}: must end in {}", output, fmt::join(extensions, " or ")));
+  throw std::invalid_argument(fmt::format("{} {}: must end in {}", option, output, fmt::join(extensions, " or ")));
 }
 
 }  // namespace augicp::app

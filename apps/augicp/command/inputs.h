@@ -62,6 +62,7 @@ DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& fo
 
 // Throws std::invalid_argument unless the output is empty (not requested) or ends in one of these. Called before any
 // work.
-void require_extension(const std::string& output, const std::vector<std::string>& extensions);
+void require_extension(const std::string& output, const std::vector<std::string>& extensions,
+                       const std::string& option = "--output");
 
 }  // namespace augicp::app

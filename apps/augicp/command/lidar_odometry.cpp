@@ -10,6 +10,7 @@
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
+#include "apps/augicp/command/recording.h"
 #include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
 #include "augicp/io/atomic_file.h"
@@ -100,6 +101,14 @@ void write_map(const fs::path& path, const MapArchive& map) {
   }
 }
 
+void write_mcap(const fs::path& path, const OdometryRun& run, const LidarInput& input,
+                const std::optional<MapArchive>& map) {
+  ScanReader reader(input.sequence);
+  const bool is_mapped = map && map->size() > 0;
+  const Cloud all = is_mapped ? map->tiles(std::numeric_limits<double>::infinity()).begin()->second : Cloud{};
+  write_odometry_mcap(path, run, all, [&](const FrameRow& row) { return reader.read(row.frame, {}); });
+}
+
 OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::optional<MapArchive>* map) {
   OdometryRun run{input.name, input.sequence.layout, {}, 0.0, {}, {}};
   run.point_times = input.point_times.in_words;
@@ -149,10 +158,11 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   if (input.sequence.has_stamps) options.sweep_s = input.point_times.sweep_s;
   LidarOdometry odometry(options);
   std::optional<MapArchive> map;
-  OdometryRun run = track_scans(input, odometry, arguments.map.empty() ? nullptr : &map);
+  OdometryRun run = track_scans(input, odometry, arguments.map.empty() && arguments.mcap.empty() ? nullptr : &map);
   require_readable(run, "scan");
   save(run, input.output);
-  if (map && map->size() > 0) write_map(arguments.map, *map);
+  if (!arguments.map.empty() && map && map->size() > 0) write_map(arguments.map, *map);
+  if (!arguments.mcap.empty()) write_mcap(arguments.mcap, run, input, map);
   return run;
 }
 

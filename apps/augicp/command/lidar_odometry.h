@@ -19,6 +19,7 @@ namespace augicp::app {
 struct LidarArguments {
   std::string point_times = "auto";  // see point_times_of()
   std::string map;                   // a file for the map; empty: none
+  std::string mcap;                  // a file for poses, scans and map; empty: none
   LidarOptions odometry;
 };
 

@@ -18,6 +18,7 @@
 #include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
+#include "apps/augicp/command/recording.h"
 #include "apps/augicp/command/sensor.h"
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/command/topics.h"
@@ -36,7 +37,7 @@ namespace augicp::app {
 namespace {
 
 struct OdometryArguments {
-  std::string sequence, topic, output, camera, json, page;
+  std::string sequence, topic, output, camera, json, page, mcap;
   Sensor sensor = Sensor::Auto;
   std::optional<double> depth_scale, readout_s;
   std::optional<double> frames_per_s;
@@ -165,7 +166,7 @@ ScanSequence scans_of(const OdometryArguments& arguments) {
 
 int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   arguments.lidar.odometry.check();
-  require_extension(arguments.lidar.map, {".ply", ".pcd"});
+  require_extension(arguments.lidar.map, {".ply", ".pcd"}, "--map");
   LidarInput input;
   input.name = arguments.sequence;
   input.sequence = scans_of(arguments);
@@ -176,6 +177,7 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
   const fs::path folder = input.output = made.path();
   write_text_file(folder / "config.toml", effective_config(command, folder));
   LidarArguments lidar = arguments.lidar;
+  lidar.mcap = arguments.mcap;
   lidar.odometry.num_threads = arguments.odometry.registration.num_threads;
   std::vector<KeptModel> scans;
   const std::vector<std::uint32_t> kept = kept_rows(arguments.page.empty() ? 0 : input.chosen.size());
@@ -203,6 +205,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   require_sequence(arguments.sequence, arguments.topic);
   arguments.odometry.check();
   evaluation_options(arguments).check();
+  require_extension(arguments.mcap, {".mcap"}, "--mcap");
   if (is_lidar(arguments)) return run_lidar(arguments, command);
   const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
   const DepthCamera camera = camera_for(sequence, arguments);
@@ -222,6 +225,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   });
   const double depth_scale = arguments.depth_scale.value_or(sequence.depth_scale);
   if (!arguments.page.empty()) write_text_file(arguments.page, odometry_page({run, models, &sequence, depth_scale}));
+  if (!arguments.mcap.empty()) write_depth_mcap(arguments.mcap, run, sequence, camera, depth_scale);
   report_to_user(run, arguments, folder.string() + ": trajectory.txt metrics.json frames.csv config.toml");
   return exit_code_for(run);
 }
@@ -269,6 +273,7 @@ void add_output_options(CLI::App& command, OdometryArguments& arguments) {
       ->capture_default_str()
       ->group(group);
   command.add_option("--report", arguments.page, "Write a report: one HTML file, readable offline")->group(group);
+  add_mcap_option(command, arguments.mcap);
   command.add_option("--json", arguments.json, "With -: print metrics.json to stdout")
       ->check(CLI::IsMember({"-"}))
       ->group(group);
