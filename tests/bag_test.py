@@ -68,16 +68,16 @@ def text(words):
     return struct.pack("<I", len(words)) + words
 
 
-def mcap(messages):
+def mcap(topics):
+    """topics: of each its name, its type, and (stamp, message)."""
     def record(opcode, content):
         return struct.pack("<BQ", opcode, len(content)) + content
     magic = b"\x89MCAP0\r\n"
-    out = magic + record(1, text(b"ros2") + text(b"")) + record(3, struct.pack("<H", 1) + text(b"sensor_msgs/msg/PointCloud2") + text(b"ros2msg") + text(b""))
-    for channel, topic in ((1, b"/points"), (2, b"/others")):
-        out += record(4, struct.pack("<HH", channel, 1) + text(topic) + text(b"cdr") + struct.pack("<I", 0))
-    for k, data in enumerate(messages):
-        out += record(5, struct.pack("<HIQQ", 1, k, stamp_ns(k) + 5, 0) + data)
-    out += record(5, struct.pack("<HIQQ", 2, 0, stamp_ns(0), 0) + messages[0])
+    out = magic + record(1, text(b"ros2") + text(b""))
+    for i, (topic, kind, messages) in enumerate(topics, 1):
+        out += record(3, struct.pack("<H", i) + text(kind) + text(b"ros2msg") + text(b""))
+        out += record(4, struct.pack("<HH", i, i) + text(topic) + text(b"cdr") + struct.pack("<I", 0))
+        out += b"".join(record(5, struct.pack("<HIQQ", i, 0, stamp, 0) + data) for stamp, data in messages)
     return out + record(15, bytes(4)) + record(2, bytes(20)) + magic
 
 
@@ -139,7 +139,9 @@ class Bags(unittest.TestCase):
         clouds = [scan(k, generator) for k in range(NUM_SCANS)]
         write_folder(cls.root / "scans", clouds)
         cdr, ros1 = ([point_cloud2(is_cdr, k, points) for k, points in enumerate(clouds)] for is_cdr in (True, False))
-        (cls.root / "a.mcap").write_bytes(mcap(cdr))
+        kind = b"sensor_msgs/msg/PointCloud2"
+        stamped = [(stamp_ns(k) + 5, data) for k, data in enumerate(cdr)]
+        (cls.root / "a.mcap").write_bytes(mcap([(b"/points", kind, stamped), (b"/others", kind, stamped[:1])]))
         (cls.root / "a.bag").write_bytes(rosbag1(ros1))
         write_db3(cls.root / "a.db3", list(enumerate(cdr)))
         folder = cls.root / "rosbag2"
@@ -241,6 +243,61 @@ class Bags(unittest.TestCase):
         self.assertEqual(finished.returncode, 3)
         self.assertIn("cut.mcap", finished.stderr)
         self.assertFalse(output.exists())
+
+
+class DepthBags(unittest.TestCase):
+    """Images of data/ in a recording and in a folder."""
+
+    def test_a_recording_gives_the_trajectory_of_its_images(self):
+        images = sorted((Path(sys.argv[2]) / "data/tum_fr1_desk_30/depth").glob("*.png"))[:4]
+        with tempfile.TemporaryDirectory() as scratch:
+            root = Path(scratch)
+            (root / "folder").mkdir()
+            depth, infos, colours = [], [], []
+            for path in images:
+                (root / "folder" / path.name).write_bytes(path.read_bytes())
+                stamp = int(path.stem.replace(".", "")) * 1000
+                for messages, fill in ((depth, self.depth), (infos, self.camera_info), (colours, self.colour)):
+                    message = Message(True)
+                    message.header(stamp, "camera")
+                    fill(message, path)
+                    messages.append((stamp, bytes(message.data)))
+            (root / "a.mcap").write_bytes(mcap([
+                (b"/camera/depth/image_raw/compressedDepth", b"sensor_msgs/msg/CompressedImage", depth),
+                (b"/camera/depth/camera_info", b"sensor_msgs/msg/CameraInfo", infos),
+                (b"/camera/rgb/image_raw", b"sensor_msgs/msg/Image", colours)]))
+            options = ("--depth-scale", 5000, "--quiet")
+            plain = run(root / "folder", "--camera", "517 516 318 255 0.26 -0.95 0 0 1.16", "--output", root / "plain", *options)
+            self.assertEqual((plain.returncode, plain.stderr), (0, ""))
+            of_bag = run(root / "a.mcap", "--output", root / "bag", "--mcap", root / "out.mcap", "--report", root / "report.html", *options)
+            self.assertEqual((of_bag.returncode, of_bag.stderr), (0, ""))
+            self.assertEqual((root / "bag/trajectory.txt").read_text(), (root / "plain/trajectory.txt").read_text())
+            self.assertEqual(counts_of(root / "out.mcap"), {"/odometry": 4, "/points": 4, "/tf": 4})
+            self.assertIn("has no topic of sensor_msgs/PointCloud2", run(root / "a.mcap", "--sensor", "lidar").stderr)
+
+    @staticmethod
+    def depth(message, path):
+        message.text("16UC1; compressedDepth png")
+        data = bytes(12) + path.read_bytes()
+        message.numbers(len(data))
+        message.data.extend(data)
+
+    @staticmethod
+    def camera_info(message, _):
+        message.numbers(480, 640)
+        message.text("plumb_bob")
+        message.numbers(5)
+        message.data.extend(bytes(-(len(message.data) - 4) % 8))
+        k = [517, 0, 318, 0, 516, 255, 0, 0, 1]
+        message.data.extend(np.array([0.26, -0.95, 0, 0, 1.16] + k + [0] * 9 + [0] * 12, "<f8").tobytes())
+
+    @staticmethod
+    def colour(message, _):
+        message.numbers(1, 1)
+        message.text("rgb8")
+        message.data.append(0)
+        message.numbers(3, 3)
+        message.data.extend(b"abc")
 
 
 if __name__ == "__main__":

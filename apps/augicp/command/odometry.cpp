@@ -26,7 +26,6 @@
 #include "apps/augicp/page/odometry_page.h"
 #include "apps/augicp/text/odometry.h"
 #include "augicp/io/atomic_file.h"
-#include "augicp/io/depth_png.h"
 #include "augicp/io/depth_sequence.h"
 #include "augicp/io/scan_sequence.h"
 #include "augicp/io/trajectory_file.h"
@@ -150,26 +149,39 @@ bool holds_depth_images(const std::string& folder) {
   }
 }
 
-bool is_lidar(const OdometryArguments& arguments) {
-  if (is_bag(arguments.sequence)) return true;
+// The topic that is tracked, if the sequence is a recording.
+std::optional<StampedTopic> topic_of(const OdometryArguments& arguments) {
+  if (!is_bag(arguments.sequence)) return std::nullopt;
+  std::vector<std::string> types;
+  if (arguments.sensor != Sensor::Depth) types.emplace_back(kPointCloud2);
+  if (arguments.sensor != Sensor::Lidar) types.insert(types.end(), {kImage, kCompressedImage});
+  return chosen_topic(arguments.sequence, arguments.topic, types);
+}
+
+bool is_lidar(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
+  if (topic) return topic->type == kPointCloud2;
   if (arguments.sensor != Sensor::Auto) return arguments.sensor == Sensor::Lidar;
   std::error_code not_a_folder;
   if (!fs::is_directory(arguments.sequence, not_a_folder)) return false;
   return !find_scans(arguments.sequence).empty() && !holds_depth_images(arguments.sequence);
 }
 
-ScanSequence scans_of(const OdometryArguments& arguments) {
-  if (!is_bag(arguments.sequence)) return read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
-  const StampedTopic topic = chosen_topic(arguments.sequence, arguments.topic, {kPointCloud2});
-  return scans_of_topic(arguments.sequence, topic.name, topic.stamps_s);
+ScanSequence scans_of(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
+  return topic ? scans_of_topic(arguments.sequence, topic->name, topic->stamps_s)
+               : read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
 }
 
-int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
+DepthSequence images_of(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
+  return topic ? depth_of_topic(arguments.sequence, *topic)
+               : read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
+}
+
+int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::optional<StampedTopic>& topic) {
   arguments.lidar.odometry.check();
   require_extension(arguments.lidar.map, {".ply", ".pcd"}, "--map");
   LidarInput input;
   input.name = arguments.sequence;
-  input.sequence = scans_of(arguments);
+  input.sequence = scans_of(arguments, topic);
   input.chosen = arguments.range.chosen(input.sequence.scans.size(), "scan");
   input.point_times = point_times_of(input.sequence, input.chosen, arguments.lidar.point_times);
   input.progress = arguments.quiet ? Progress::None : arguments.progress;
@@ -196,7 +208,7 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command) {
 // By the first frame that can be read.
 void warn_by_first_frame(const DepthSequence& sequence, double depth_scale) {
   for (const DepthFrameFile& frame : sequence.frames) try {
-      return warn_of_depth_scale(read_depth_png(frame.path, depth_scale), frame.path, depth_scale);
+      return warn_of_depth_scale(read_depth_frame(frame, depth_scale), frame.path, depth_scale);
     } catch (const IoError&) {  // tracking reports it
     }
 }
@@ -206,8 +218,9 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   arguments.odometry.check();
   evaluation_options(arguments).check();
   require_extension(arguments.mcap, {".mcap"}, "--mcap");
-  if (is_lidar(arguments)) return run_lidar(arguments, command);
-  const DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
+  const std::optional<StampedTopic> topic = topic_of(arguments);
+  if (is_lidar(arguments, topic)) return run_lidar(arguments, command, topic);
+  const DepthSequence sequence = images_of(arguments, topic);
   const DepthCamera camera = camera_for(sequence, arguments);
   if (!arguments.quiet) warn_by_first_frame(sequence, arguments.depth_scale.value_or(sequence.depth_scale));
   const OutputFolder made(arguments.output, arguments.sequence);
@@ -254,7 +267,7 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
       ->group(group);
   command
       .add_option("--topic", arguments.topic,
-                  "Of a recording: which PointCloud2 (default: the only one; augicp info lists them)")
+                  "Of a recording: which clouds or depth images (default: the only ones; augicp info lists them)")
       ->group(group);
   add_range_options(command, arguments.range, group);
 }

@@ -7,7 +7,6 @@
 
 #include "apps/augicp/command/interruption.h"
 #include "augicp/core/error.h"
-#include "augicp/io/depth_file.h"
 #include "augicp/io/mcap_writer.h"
 #include "augicp/trust/covariance.h"
 
@@ -113,7 +112,7 @@ void write_depth_mcap(const fs::path& path, const OdometryRun& run, const DepthS
                       const DepthCamera& camera, double depth_scale) {
   const int step = std::max(1, camera.pinhole.width / kLeastColumns);
   write_odometry_mcap(path, run, {}, [&](const FrameRow& row) {
-    const DepthImage image = read_depth_image(sequence.frames[row.frame].path, depth_scale);
+    const DepthImage image = read_depth_frame(sequence.frames[row.frame], depth_scale);
     return CloudFile{unproject(rectify(image, camera, step), thinned(camera.pinhole, step)).cloud, std::nullopt, {}};
   });
 }

@@ -9,8 +9,11 @@
 namespace augicp::app {
 
 StampedTopic chosen_topic(const std::string& bag, const std::string& name, const std::vector<std::string>& types) {
-  const std::vector<StampedTopic> topics = stamped_topics(bag, types);
-  if (topics.empty()) throw IoError(fmt::format("{}: has no topic of {}", bag, fmt::join(types, " or ")));
+  std::vector<StampedTopic> topics = stamped_topics(bag, types);
+  std::erase_if(topics, [](const StampedTopic& topic) {
+    return topic.type != kPointCloud2 && !is_depth_encoding(topic.encoding);
+  });
+  if (topics.empty()) throw IoError(fmt::format("{}: has no topic of {}", bag, fmt::join(types, ", ")));
   if (name.empty() && topics.size() == 1) return topics.front();
   std::string known;
   for (const StampedTopic& topic : topics) {

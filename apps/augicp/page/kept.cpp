@@ -11,7 +11,6 @@
 #include "apps/augicp/page/thinning.h"
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/error.h"
-#include "augicp/io/depth_file.h"
 
 namespace augicp::app {
 namespace {
@@ -29,8 +28,8 @@ struct SmallImage {
   std::vector<float> depth;
 };
 
-std::optional<SmallImage> read_small(const std::filesystem::path& path, double depth_scale) try {
-  const DepthImage image = read_depth_image(path, depth_scale);
+std::optional<SmallImage> read_small(const DepthFrameFile& frame, double depth_scale) try {
+  const DepthImage image = read_depth_frame(frame, depth_scale);
   // By the longer side, so that odd shapes stay small too.
   const int step = std::max(1, (std::max(image.width, image.height) + kMaxColumns - 1) / kMaxColumns);
   SmallImage small{(image.width + step - 1) / step, (image.height + step - 1) / step, {}};
@@ -64,7 +63,7 @@ nlohmann::ordered_json frame_json(const OdometryPicture& picture, std::size_t ro
   const FrameRow& frame = picture.run.rows[row];
   nlohmann::ordered_json json{{"frame", row}, {"width", 0}, {"height", 0}, {"text", ""}};
   if (picture.is_lidar()) return json;
-  const std::optional<SmallImage> image = read_small(picture.sequence->frames[frame.frame].path, picture.depth_scale);
+  const std::optional<SmallImage> image = read_small(picture.sequence->frames[frame.frame], picture.depth_scale);
   if (image && far == 0.0f) far = far_depth(*image);
   if (!image || far == 0.0f) {
     json["text"] = fmt::format("Frame {}: no depth image", frame.frame);

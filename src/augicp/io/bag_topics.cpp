@@ -10,6 +10,25 @@
 
 namespace augicp {
 
+namespace {
+
+std::string encoding_of(const BagMessage& message) {
+  if (message.type != kImage && message.type != kCompressedImage) return {};
+  try {
+    return image_encoding({}, message.type, message.data, message.form);
+  } catch (const IoError&) {
+    return {};
+  }
+}
+
+// "/depth/camera_info" of "/depth/image".
+std::string camera_info_beside(std::string_view topic) {
+  const std::size_t at = topic.rfind('/');
+  return at == std::string_view::npos ? std::string() : std::string(topic.substr(0, at)) + "/camera_info";
+}
+
+}  // namespace
+
 double stamp_s(const BagMessage& message) {
   constexpr double kNanoseconds = 1e9;
   std::int64_t stamp_ns = 0;
@@ -28,8 +47,11 @@ std::vector<StampedTopic> stamped_topics(const std::filesystem::path& bag, std::
     if (std::find(types.begin(), types.end(), message->type) == types.end()) continue;
     auto entry = by_name.find(message->topic);
     if (entry == by_name.end())
-      entry = by_name.emplace(message->topic, StampedTopic{std::string(message->topic), std::string(message->type), {}})
-                  .first;
+      entry =
+          by_name
+              .emplace(message->topic,
+                       StampedTopic{std::string(message->topic), std::string(message->type), {}, encoding_of(*message)})
+              .first;
     entry->second.stamps_s.push_back(stamp_s(*message));
   }
   std::vector<StampedTopic> topics;
@@ -48,6 +70,21 @@ BagMessage TopicReader::message(std::size_t number) {
   while (const auto message = reader_->next())
     if (message->topic == topic_ && next_++ == number) return *message;
   throw io_error(bag_, fmt::format("expected message {} of {}, found {}", number, topic_, next_));
+}
+
+std::optional<DepthCamera> camera_of_topic(const std::filesystem::path& bag, const std::string& topic) {
+  const bool are_rectified = topic.find("rect") != std::string::npos;
+  const std::string beside = camera_info_beside(topic), above = camera_info_beside(topic.substr(0, topic.rfind('/')));
+  std::optional<DepthCamera> camera;
+  BagReader reader(bag);
+  while (const auto message = reader.next()) {
+    if (message->type != kCameraInfo || (message->topic != beside && message->topic != above)) continue;
+    if (message->topic == above && camera) continue;
+    const std::filesystem::path source = bag.string() + ": " + std::string(message->topic);
+    camera = parse_camera_info(source, message->data, message->form, are_rectified);
+    if (message->topic == beside) break;
+  }
+  return camera;
 }
 
 std::string message_name(const std::filesystem::path& bag, const std::string& topic, std::size_t number) {

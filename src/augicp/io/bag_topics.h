@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "augicp/io/bag.h"
+#include "augicp/io/ros_image.h"
 
 namespace augicp {
 
@@ -17,6 +18,7 @@ inline constexpr const char* kPointCloud2 = "sensor_msgs/PointCloud2";
 struct StampedTopic {
   std::string name, type;
   std::vector<double> stamps_s;  // of the messages, in the order of BagReader
+  std::string encoding{};        // of images: that of the first one, see image_encoding(); empty if that is damaged
 };
 
 // The topics of these types, by name. A stamp is that of the header, or if it is zero that of the recording, seconds.
@@ -41,6 +43,11 @@ class TopicReader {
   std::optional<BagReader> reader_;
   std::size_t next_ = 0;
 };
+
+// The camera of a topic of images: by the first camera_info beside it, or one level above
+// ("depth/image/compressedDepth"). Images of topics whose name has "rect" are rectified. Empty if there is none. Throws
+// IoError.
+std::optional<DepthCamera> camera_of_topic(const std::filesystem::path& bag, const std::string& topic);
 
 // How messages name a message of a topic: "drive.mcap: /points, message 12".
 std::string message_name(const std::filesystem::path& bag, const std::string& topic, std::size_t number);

@@ -2,6 +2,7 @@
 #include "augicp/io/depth_sequence.h"
 
 #include "augicp/core/check.h"
+#include "augicp/io/bag_topics.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_file.h"
 #include "augicp/io/sequence_folders.h"
@@ -112,6 +113,28 @@ DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
   return sequence;
 }
 
+DepthSequence depth_of_topic(const fs::path& bag, const StampedTopic& topic) {
+  DepthSequence sequence;
+  sequence.layout = "recording";
+  sequence.depth_scale = kUsualDepthScale;
+  const auto reader = std::make_shared<TopicReader>(bag, topic.name);
+  for (std::size_t i = 0; i < topic.stamps_s.size(); ++i)
+    sequence.frames.push_back({topic.stamps_s[i], message_name(bag, topic.name, i), reader, i});
+  try {
+    sequence.camera = camera_of_topic(bag, topic.name);
+  } catch (const IoError& error) {  // it does not stop users who give the camera
+    sequence.camera_problem = error.what();
+  }
+  return sequence;
+}
+
+DepthImage read_depth_frame(const DepthFrameFile& frame, double depth_scale) {
+  if (!frame.topic) return read_depth_image(frame.path, depth_scale);
+  require_positive("depth_scale", depth_scale);
+  const BagMessage message = frame.topic->message(frame.message);
+  return parse_depth_message(frame.path, message.type, message.data, message.form, depth_scale);
+}
+
 DepthSequenceReader::DepthSequenceReader(std::vector<DepthFrameFile> frames, double depth_scale)
     : frames_(std::move(frames)), depth_scale_(depth_scale) {
   require_positive("depth_scale", depth_scale);
@@ -122,7 +145,7 @@ std::optional<DepthFrame> DepthSequenceReader::next() {
   const DepthFrameFile& file = frames_[next_++];
   DepthFrame frame{file.stamp_s, {}, {}};
   try {
-    frame.image = read_depth_image(file.path, depth_scale_);
+    frame.image = read_depth_frame(file, depth_scale_);
   } catch (const IoError& error) {
     frame.problem = error.what();
     return frame;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Folders of depth images.
+// Sequences of depth images: folders, and topics of recordings.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,13 +14,17 @@
 
 namespace augicp {
 
+class TopicReader;
+
 struct DepthFrameFile {
   double stamp_s = 0.0;
-  std::filesystem::path path;
+  std::filesystem::path path;            // of a recording: the name of the message
+  std::shared_ptr<TopicReader> topic{};  // of a recording alone, shared by its frames
+  std::size_t message = 0;               // number in the topic
 };
 
 struct DepthSequence {
-  std::string layout;                  // "TUM", "7-Scenes" or "numbered"
+  std::string layout;                  // "TUM", "7-Scenes", "numbered" or "recording"
   std::vector<DepthFrameFile> frames;  // in the order of the list or of the numbers; stamps unchanged
   double depth_scale = 0.0;            // default of the layout: TUM 5000, others 1000
   std::optional<DepthCamera> camera;   // from a file camera.json, camera.txt or camera-intrinsics.txt, or the layout's
@@ -37,6 +42,15 @@ struct DepthSequence {
 // Frames without stamps get their number / frames_per_s. Images are not opened. Throws IoError if the folder has none
 // of these layouts or its list of images is damaged, and std::invalid_argument unless frames_per_s is above 0.
 DepthSequence read_depth_sequence(const std::filesystem::path& folder, double frames_per_s = kUsualFramesPerS);
+
+struct StampedTopic;
+
+// The depth images of a topic of a recording, with the camera of its CameraInfo. Its messages are best read in
+// ascending order, by one thread at a time. Throws IoError.
+DepthSequence depth_of_topic(const std::filesystem::path& bag, const StampedTopic& topic);
+
+// One frame of a sequence. Throws IoError, and std::invalid_argument unless depth_scale is above 0.
+DepthImage read_depth_frame(const DepthFrameFile& frame, double depth_scale);
 
 // Reads the frames of a list one by one, on demand. An image that cannot be read becomes a frame with a problem. A
 // depth scale that is wrong by a factor throws IoError (see check_depth_scale); it is judged by the first image with
