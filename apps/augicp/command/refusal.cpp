@@ -63,11 +63,9 @@ const CLI::App& root_of(const CLI::App& command) {
 }
 
 std::string unknown_option(const CLI::App& command, const std::string& option) {
-  const std::string suggestion = closest(option.substr(2), option_names(command));
   const std::string message = fmt::format("{} has no option {}", full_name(command), option);
-  if (!suggestion.empty()) return message + meant(suggestion, "--");
   const CLI::App* owner = owner_of(root_of(command), option);
-  if (!owner) return message + ".";
+  if (!owner) return message + meant(closest(option.substr(2), option_names(command)), "--");
   if (owner->get_parent()) return message + fmt::format(". {} has it.", full_name(*owner));
   return message + fmt::format(". It belongs before the subcommand: augicp {} ... {}", option, command.get_name());
 }
