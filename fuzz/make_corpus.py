@@ -4,6 +4,7 @@
 make_corpus.py [FOLDER]    run again after a change; what was found (regression-*) stays
 """
 
+import bz2
 import pathlib
 import struct
 import sys
@@ -177,6 +178,40 @@ def point_cloud2_files():
     yield "ros1", b"\1" + message_of(False)
 
 
+def depth_message_files():
+    """Behind a byte for form and type: images, compressed ones, a camera."""
+    def header(cdr):
+        return (b"\0\1\0\0" if cdr else bytes(4)) + struct.pack("<II", 7, 8) + (struct.pack("<I", 4) + b"cam\0" if cdr else text_in_bag(b"cam"))
+    for cdr in (True, False):
+        for name, encoding, pixels in (("16UC1", b"16UC1", struct.pack("<6H", 900, 0, 800, 65535, 7, 1000)),
+                                       ("32FC1", b"32FC1", struct.pack("<6f", 1, 0, 2, numpy.nan, 3, 0.5))):
+            out = header(cdr) + struct.pack("<II", 2, 3) + text_in_bag(encoding + (b"\0" if cdr else b"")) + b"\0"
+            out += bytes(-len(out) % 4 if cdr else 0) + struct.pack("<II", len(pixels) // 2, len(pixels)) + pixels
+            yield f"{name}-{'cdr' if cdr else 'ros1'}", bytes([0 if cdr else 1]) + out
+    png = dict(depth_png_files())
+    png = png[min(png, key=lambda name: len(png[name]))]
+    for name, words, head in (("compressed", b"16UC1; compressedDepth png", bytes(12)),
+                              ("inverse", b"32FC1; compressedDepth", struct.pack("<Iff", 0, 5000, 100)), ("png", b"16UC1; png compressed ", b"")):
+        yield name, b"\3" + header(False) + text_in_bag(words) + text_in_bag(head + png)
+    k = (500, 0, 320, 0, 500, 240, 0, 0, 1)
+    yield "camera", (b"\5" + header(False) + struct.pack("<II", 480, 640) + text_in_bag(b"plumb_bob") +
+                     struct.pack("<I5d", 5, 0.1, -0.2, 0, 0, 0.1) + struct.pack("<30d", *k, *(0,) * 9, 450, 0, 310, 0, 0, 450, 230, 0, 0, 0, 1, 0))
+
+
+def lz4_frame(content):
+    """One block as it is."""
+    return b"\x04\x22\x4d\x18\x60\x40\x82" + struct.pack("<I", len(content) | 1 << 31) + content + bytes(4)
+
+
+def zstd_frame(content):
+    """One block as it is, and then a run of zeros."""
+    begin, zeros = content.rstrip(b"\0"), len(content) - len(content.rstrip(b"\0"))
+    return b"\x28\xb5\x2f\xfd\0\x58" + struct.pack("<I", len(begin) << 3)[:3] + begin + struct.pack("<I", zeros << 3 | 3)[:3] + b"\0"
+
+
+COMPRESS = {b"": bytes, b"none": bytes, b"lz4": lz4_frame, b"zstd": zstd_frame, b"bz2": bz2.compress, b"xz": bytes}
+
+
 def mcap_files():
     def record(opcode, content):
         return struct.pack("<BQ", opcode, len(content)) + content
@@ -186,9 +221,10 @@ def mcap_files():
     message = record(5, struct.pack("<HIQQ", 1, 0, 5, 5) + message_of(True))
     end = record(15, bytes(4)) + record(2, bytes(20)) + b"\x89MCAP0\r\n"
     yield "plain", start + schema + channel + message + end
-    for name, compression in (("chunk", b""), ("zstd", b"zstd")):
+    for name, compression in (("chunk", b""), ("zstd", b"zstd"), ("lz4", b"lz4"), ("xz", b"xz")):
         content = schema + channel + message
-        chunk = struct.pack("<QQQI", 5, 5, len(content), 0) + text_in_bag(compression) + struct.pack("<Q", len(content)) + content
+        stored = COMPRESS[compression](content)
+        chunk = struct.pack("<QQQI", 5, 5, len(content), 0) + text_in_bag(compression) + struct.pack("<Q", len(stored)) + stored
         yield name, start + record(6, chunk) + end
 
 
@@ -197,10 +233,10 @@ def rosbag1_files():
         return text_in_bag(b"".join(text_in_bag(name.encode() + b"=" + value) for name, value in values.items()))
     connection = header(op=b"\7", conn=bytes(4), topic=b"/points") + header(topic=b"/points", type=b"sensor_msgs/PointCloud2")
     message = header(op=b"\2", conn=bytes(4), time=bytes(8)) + text_in_bag(message_of(False))
-    for name, compression in (("plain", b"none"), ("bz2", b"bz2")):
+    for name, compression in (("plain", b"none"), ("bz2", b"bz2"), ("lz4", b"lz4")):
         chunk = connection + message
         yield name, (b"#ROSBAG V2.0\n" + header(op=b"\3", index_pos=struct.pack("<Q", 99)) + text_in_bag(b" " * 20) +
-                     header(op=b"\5", compression=compression, size=struct.pack("<I", len(chunk))) + text_in_bag(chunk))
+                     header(op=b"\5", compression=compression, size=struct.pack("<I", len(chunk))) + text_in_bag(COMPRESS[compression](chunk)))
 
 
 def kitti_files():
@@ -296,7 +332,7 @@ def align_files():
     yield "outlier", bytes((1, 200, 2, 0x40)) + guess + POINTS.tobytes() + struct.pack("<3f", 1e17, 0, 0) + POINTS.tobytes()
 
 
-FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "stl": stl_files, "obj": obj_files, "point_cloud2": point_cloud2_files, "mcap": mcap_files,
+FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "stl": stl_files, "obj": obj_files, "point_cloud2": point_cloud2_files, "depth_message": depth_message_files, "mcap": mcap_files,
          "rosbag1": rosbag1_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files, "depth_pgm": depth_pgm_files, "depth_npy": depth_npy_files,
          "grey_png": grey_png_files, "sequence": sequence_files, "align": align_files,
          "xyz": corpus_texts.XYZ.items, "image_list": corpus_texts.IMAGE_LIST.items, "trajectory": corpus_texts.TRAJECTORY.items,

@@ -17,14 +17,18 @@
 #include <string>
 #include <string_view>
 
+#include "augicp/io/atomic_file.h"
+#include "augicp/io/bag.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_png.h"
 #include "augicp/io/format.h"
 #include "augicp/io/grey_png.h"
 #include "augicp/io/read_cloud.h"
+#include "augicp/io/ros_image.h"
 #include "augicp/io/sequence_folders.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/io/transform_file.h"
+#include "augicp/testing/temporary_folder.h"
 #include "fuzz/promises.h"
 
 namespace {
@@ -93,8 +97,42 @@ Content read_camera(const FileBytes& file) {
   return {1, 0, 0, pinhole.fx + pinhole.fy + std::abs(pinhole.cx) + std::abs(pinhole.cy)};
 }
 
+// Messages, and the sum of their lengths. Recordings are read from files alone.
+Content read_recording(const FileBytes& file) {
+  write_file(file.path, file.bytes);
+  Content content;
+  visit_messages(file.path, [&](const BagMessage& message) {
+    ++content.num_kept;
+    content.sum += static_cast<double>(message.data.size());
+    return true;
+  });
+  return content;
+}
+
+// The first byte chooses the form, and of depth messages the type, as in fuzz/.
+Content read_message(const FileBytes& file) {
+  const int choice = file.bytes.empty() ? 0 : static_cast<std::uint8_t>(file.bytes.front());
+  const std::string_view bytes = std::string_view(file.bytes).substr(file.bytes.empty() ? 0 : 1);
+  const MessageForm form = choice % 2 == 0 ? MessageForm::Cdr : MessageForm::Ros1;
+  Content content;
+  if (file.path.extension() == ".point_cloud2") {
+    const CloudFile read = parse_point_cloud2(file.path, bytes, form, {}).file;
+    fuzz::expect_sound(read);
+    content.num_kept = read.cloud.size();
+  } else if (choice / 2 % 3 == 2) {
+    parse_camera_info(file.path, bytes, form, choice >= 128);
+    content.num_kept = 1;
+  } else {
+    const char* type = choice / 2 % 3 == 0 ? kImage : kCompressedImage;
+    content.num_kept = parse_depth_message(file.path, type, bytes, form, 1000.0).depth.size();
+  }
+  return content;
+}
+
 Content read(const FileBytes& file) {
   const std::string kind = file.path.extension().string();
+  if (kind == ".mcap" || kind == ".bag") return read_recording(file);
+  if (kind == ".point_cloud2" || kind == ".depth_message") return read_message(file);
   if (kind == ".depth_png") return read_depth(file);
   if (kind == ".grey_png") return read_grey(file);
   if (kind == ".image_list") return read_list(file);
@@ -139,6 +177,8 @@ void limit_time() {
 int main(int argc, char** argv) {
   constexpr rlim_t kGranted = 64 << 20;
   const bool limits_memory = argc > 1 && std::string_view(argv[1]) == "--limit-memory";
+  const testing::TemporaryFolder folder;
+  std::filesystem::current_path(folder.path());
   const rlim_t idle = bytes_in_use();
   std::string extension;
   std::size_t length = 0;
