@@ -2,6 +2,8 @@
 """The seeds that are text, for make_corpus.py."""
 
 XYZ = {
+    "quotes": b'"name","x","y","z"\n"a, b",1,"2.5",3\n"say ""c""",4,5,6\n',
+    "decimal-commas": b"x;y;z;t\n1,5;2;3,25;0,1\n-1;1,5e1;0;7\n",
     "blanks": b"# a comment\n0 0 0\n1 2 3 9\n\n-1.5e-3 +4 5\n",
     "commas": b"x,y,z,nx,ny,nz,intensity\n1,2,3,0,0,1,7\n4,5,6,0,1,0,inf\nnan,5,6,0,1,0,2\n",
     "semicolons": b"z;y;x\r\n1.5;2;3\r\n4;5;6\r\n",

@@ -69,7 +69,8 @@ def count(word):
 
 
 def separator(line):
-    return next((mark for mark in ";," if mark in line), None)
+    outside = "".join(line.split('"')[::2])
+    return next((mark for mark in ";," if mark in outside), None)
 
 
 def fields(line):
@@ -80,8 +81,18 @@ def fields_of(line, mark):
     """Words between blanks, or fields between commas or semicolons, of which the last may be absent."""
     if mark is None:
         return words_of(line)
-    found = [field.strip(" \t") for field in line.split(mark)]
-    return found[:-1] if found[-1] == "" else found
+    found, rest = [], line.lstrip(" \t")
+    while rest:
+        quoted = re.match(r'"((?:[^"]|"")*)"[ \t]*(?:' + mark + "|$)", rest)
+        plain = rest if rest[0] == '"' else rest.split(mark)[0]
+        found.append(quoted[1] if quoted else plain.strip(" \t") if rest[0] != '"' else plain)
+        rest = rest[len(quoted[0]) if quoted else len(plain) + 1:].lstrip(" \t")
+    return found
+
+
+def decimal(word, mark):
+    """A number, between semicolons also with a comma."""
+    return number(word.replace(",", ".") if mark == ";" and word.count(",") == 1 and "." not in word else word)
 
 
 def without_bom(data):
@@ -253,9 +264,9 @@ PCD_BODIES = {b"ascii": pcd_ascii, b"binary": pcd_binary, b"binary_compressed": 
 
 # ---- the others
 
-def is_number(word):
+def is_number(word, mark=None):
     try:
-        number(word)
+        decimal(word, mark)
         return True
     except Damaged:
         return False
@@ -284,7 +295,7 @@ def xyz(data):
     require(found)
     before = lines[:is_comment.index(False)]
     axes, declared = None, None
-    if not is_number(fields(found[0])[0]):
+    if not is_number((fields(found[0]) + [""])[0], separator(found[0])):
         axes, found = columns_of(names_of(found[0])), found[1:]
     if found and len(fields(found[0])) == 1 and re.fullmatch(r"\d+", fields(found[0])[0], re.A):
         declared, found = count(fields(found[0])[0]), found[1:]
@@ -294,7 +305,9 @@ def xyz(data):
     mark = separator(found[0])
     rows = [fields_of(line, mark) for line in found[:declared]]
     require(all(len(row) > max(axes) for row in rows))
-    return holds_of([[number(row[axis]) for axis in axes] for row in rows], declared is not None and len(found) > declared)
+    text = "".join(row[axis] for row in rows for axis in axes)
+    require(mark != ";" or "," not in text or "." not in text)
+    return holds_of([[decimal(row[axis], mark) for axis in axes] for row in rows], declared is not None and len(found) > declared)
 
 
 def kitti(data):

@@ -83,7 +83,9 @@ std::optional<std::uint64_t> count_of(std::string_view line) {
 
 bool begins_with_a_number(std::string_view line) {
   std::string_view rest = line;
-  return parse_double(next_field(rest, separator_of(line)).value_or("")).has_value();
+  const char separator = separator_of(line);
+  const std::string_view field = next_field(rest, separator).value_or("");
+  return (separator == ';' ? parse_with_comma(field) : parse_double(field)).has_value();
 }
 
 // Without names a point begins with x y z.
@@ -97,6 +99,7 @@ PointColumns columns_of(const FileBytes& file, const std::vector<std::string>& n
 Layout layout_of(const FileBytes& file) {
   Layout layout{{}, std::nullopt, TextLines(without_bom(file.bytes))};
   layout.points.has_comments = true;
+  layout.points.may_have_decimal_commas = true;
   TextLines lines = layout.lines;
   std::string_view comment, line = next_content(lines, &comment);
   const auto take_line = [&] {
@@ -155,10 +158,12 @@ CloudFile parse_xyz(const FileBytes& file, const ReadOptions& options) {
                    std::nullopt, layout.points.columns.has_intensities()};
   if (options.keep_fields) add_fields(layout, table);
   TextLines behind = layout.lines;
+  bool has_commas = false;
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) {
     behind = layout.lines;
-    add_points(file, layout.points, behind, 0, builder);
+    has_commas = add_points(file, layout.points, behind, 0, builder);
   });
+  if (has_commas) read.report.warnings.push_back("commas in numbers were read as decimal points");
   for (PointField& field : read.fields.fields) field = narrowed(std::move(field));
   if (!next_content(behind).empty()) read.report.warnings.push_back("lines after the declared points were not read");
   if (!ends_with_a_line_end(file.bytes)) read.report.warnings.push_back(kNoLineEndWarning);

@@ -82,6 +82,29 @@ TEST(ReadXyz, CountsThatCannotBeAreErrors) {
   EXPECT_THAT(testing::refusal("a.xyz", kText, {.max_points = 2}), ::testing::HasSubstr("expected at most 2 points"));
 }
 
+Vec3d first_position(const CloudFile& read) { return read.cloud.origin + read.cloud.points.at(0).cast<double>(); }
+
+TEST(ReadXyz, QuotedFieldsMayContainSeparators) {
+  for (const char* bytes :
+       {"name,x,y,z\n\"a, 8, 9, 0\",1,2.5,3\n", "\"x\",\"y\",\"z\"\n\"1\",\"2.5\",\"3\"\n", "\"1\",\"2.5\",\"3\"\n"}) {
+    const CloudFile read = parse_cloud({"a.csv", bytes}, {});
+    EXPECT_EQ(first_position(read), Vec3d(1, 2.5, 3)) << bytes;
+  }
+}
+
+TEST(ReadXyz, DecimalCommasAreReadBetweenSemicolonsAndSaid) {
+  ReadOptions options;
+  options.keep_fields = true;
+  for (const char* bytes : {"x;y;z;t\n1;2,5;3;0,25\n", "1;2,5;3;0,25\n"}) {
+    const CloudFile read = parse_cloud({"a.csv", bytes}, options);
+    EXPECT_EQ(first_position(read), Vec3d(1, 2.5, 3)) << bytes;
+    ASSERT_EQ(read.fields.fields.size(), 1u);
+    EXPECT_EQ(read.fields.fields[0].at(0), 0.25);
+    EXPECT_THAT(read.report.warnings, ::testing::ElementsAre("commas in numbers were read as decimal points"));
+  }
+  EXPECT_TRUE(parse_cloud({"a.csv", "1;2.5;3\n"}, {}).report.warnings.empty());
+}
+
 // robustness 4, 6
 TEST(ReadXyz, LinesThatAreNoPointAreErrors) {
   const std::pair<std::string, const char*> cases[] = {
@@ -94,8 +117,10 @@ TEST(ReadXyz, LinesThatAreNoPointAreErrors) {
       {"1 2 3\n4 five 6\n", "line 2: expected a number, found 'five'"},
       {"1 2 3\n\n#\n4 5\n", "line 4: expected at least 3 values"},
       {"1,5 2,5 3,5\n", "line 1: expected a number, found '5 2'"},
-      {"1,5;2,5;3,5\n", "a column 'x', found none"},
-      {"1;2;3\n1,5;2;3\n", "line 2: expected a number, found '1,5'"},
+      {"1,5;2;3\n1.5;2;3\n", "line 2: expected either decimal commas or decimal points, found both"},
+      {"1.234,5;2;3\n", "a column 'x', found none"},
+      {"1;2;3\n1,234,567;2;3\n", "line 2: expected a number, found '1,234,567'"},
+      {"name,x,y,z\na,1,2,3\n\"a, 8, 9, 0,1,2,3\n", "line 3: expected at least 4 values, found 1"},
       {"1,,3\n", "line 1: expected a number, found ''"},
       {"nan nan nan\ninf 0 0\n1e308 0 0\n", "none of its 3 points is finite"},
       {std::string("1 2 3\n\0\0\0", 9), "byte 6: expected text, found a zero byte"}};

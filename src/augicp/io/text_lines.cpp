@@ -2,6 +2,7 @@
 #include "augicp/io/text_lines.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace augicp {
 namespace {
@@ -48,10 +49,36 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
+namespace {
+
+// The place behind the quote that ends the field; a doubled quote is a part of it.
+std::size_t end_of_quoted(std::string_view text) {
+  std::size_t at = 1;
+  while (at < text.size()) {
+    if (text[at++] != '"') continue;
+    if (at == text.size() || text[at] != '"') return at;
+    ++at;
+  }
+  return std::string_view::npos;
+}
+
+// A field in quotes, whose separators are a part of it. What is no such field is the whole rest, with its quotes.
+std::string_view next_quoted(std::string_view& rest, char separator) {
+  const std::size_t end = end_of_quoted(rest);
+  const std::size_t next = end > rest.size() ? end : rest.find_first_not_of(kBlanks, end);
+  if (end > rest.size() || (next < rest.size() && rest[next] != separator)) return std::exchange(rest, {});
+  const std::string_view field = rest.substr(1, end - 2);
+  rest.remove_prefix(std::min(next, rest.size() - 1) + 1);
+  return field;
+}
+
+}  // namespace
+
 std::optional<std::string_view> next_field(std::string_view& rest, char separator) {
   const std::size_t begin = std::min(rest.find_first_not_of(kBlanks), rest.size());
   rest.remove_prefix(begin);
   if (rest.empty()) return std::nullopt;
+  if (separator != ' ' && rest.front() == '"') return next_quoted(rest, separator);
   const std::size_t end = std::min(separator == ' ' ? rest.find_first_of(kBlanks) : rest.find(separator), rest.size());
   const std::string_view field = trimmed(rest.substr(0, end));
   rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -65,9 +92,13 @@ std::size_t num_fields(std::string_view line, char separator) {
 }
 
 char separator_of(std::string_view line) {
-  for (const char separator : {';', ','})
-    if (line.find(separator) != std::string_view::npos) return separator;
-  return ' ';
+  bool is_quoted = false, has_comma = false;
+  for (const char c : line) {
+    if (c == '"') is_quoted = !is_quoted;
+    if (c == ';' && !is_quoted) return ';';
+    has_comma = has_comma || (c == ',' && !is_quoted);
+  }
+  return has_comma ? ',' : ' ';
 }
 
 }  // namespace augicp

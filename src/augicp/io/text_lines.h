@@ -41,14 +41,15 @@ std::string_view without_bom(std::string_view text);
 std::string_view trimmed(std::string_view text);
 
 // Takes the next field off the front of rest; empty if none is left. Fields are separated by blanks (separator ' '), or
-// by the separator with optional blanks around it, which are not part of the field.
+// by the separator with optional blanks around it, which are not part of the field. With a separator, fields in double
+// quotes lose them and may contain it; quotes that do not end before a separator take the whole rest.
 std::optional<std::string_view> next_field(std::string_view& rest, char separator = ' ');
 
 // Number of fields of a line.
 std::size_t num_fields(std::string_view line, char separator = ' ');
 
-// The separator of the fields of this line: a semicolon if there is one, else a comma if there is one, else blanks. So
-// neither "1,5;2,5" nor "1,5 2,5" is read as four numbers.
+// The separator of the fields of this line, by what is outside of quotes: a semicolon if there is one, else a comma if
+// there is one, else blanks. So neither "1,5;2,5" nor "1,5 2,5" is read as four numbers.
 char separator_of(std::string_view line);
 
 }  // namespace augicp

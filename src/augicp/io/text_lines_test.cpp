@@ -51,6 +51,15 @@ TEST(TextLines, FieldsAreSeparatedByBlanksOrBySeparatorsWithBlanks) {
   EXPECT_EQ(fields_of("", ' '), Strings{});
 }
 
+TEST(TextLines, QuotesKeepSeparatorsTogether) {
+  EXPECT_EQ(fields_of("\"a, b\" , \"1\",\"\",3", ','), (Strings{"a, b", "1", "", "3"}));
+  EXPECT_EQ(fields_of("\"say \"\"x;y\"\"\";2", ';'), (Strings{"say \"\"x;y\"\"", "2"}));
+  EXPECT_EQ(fields_of("1,\"2,3", ','), (Strings{"1", "\"2,3"})) << "no end";
+  EXPECT_EQ(fields_of("\"1\"2,3", ','), (Strings{"\"1\"2,3"})) << "more behind the end";
+  EXPECT_EQ(fields_of("1,\"", ','), (Strings{"1", "\""}));
+  EXPECT_EQ(separator_of("\"a;b\",2"), ',');
+}
+
 TEST(TextLines, ASemicolonMakesCommasPartOfTheFields) {
   EXPECT_EQ(separator_of("1,5;2,5"), ';');
   EXPECT_EQ(separator_of("1,5 2,5"), ',');

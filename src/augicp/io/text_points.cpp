@@ -23,6 +23,16 @@ std::vector<std::size_t> roles_of(const PointColumns& columns) {
   return roles;
 }
 
+bool has_decimal_comma(std::string_view cell) {
+  return std::count(cell.begin(), cell.end(), ',') == 1 && cell.find('.') == std::string_view::npos;
+}
+
+std::string with_point(std::string_view cell) {
+  std::string text(cell);
+  std::replace(text.begin(), text.end(), ',', '.');
+  return text;
+}
+
 class LineParser {
  public:
   LineParser(const FileBytes& file, const TextPoints& points)
@@ -39,13 +49,25 @@ class LineParser {
     for (std::size_t i = 0; i < points_.fields.size(); ++i) add_field(i, number, builder);
   }
 
+  bool has_commas() const { return has_commas_; }
+
  private:
+  void note_decimals(std::string_view field, std::uint64_t number) {
+    if (!reads_commas_) return;
+    has_commas_ = has_commas_ || field.find(',') != std::string_view::npos;
+    has_points_ = has_points_ || field.find('.') != std::string_view::npos;
+    if (has_commas_ && has_points_)
+      throw io_error_at_line(file_.path, number, "expected either decimal commas or decimal points, found both");
+  }
+
   void add_field(std::size_t index, std::uint64_t number, CloudBuilder& builder) const {
     if (builder.is_dropped(index)) return;
     PointField& field = builder.fields()[index];
     for (std::size_t k = 0; k < field.count; ++k) {
       const std::size_t column = points_.fields[index] + k;
-      const std::string_view cell = column < cells_.size() ? cells_[column] : "";
+      const std::string_view stored = column < cells_.size() ? cells_[column] : "";
+      const bool has_comma = reads_commas_ && has_decimal_comma(stored);
+      const std::string cell = has_comma ? with_point(stored) : std::string(stored);
       if (points_.has_types ? append_number(field, cell) : append_untyped_number(field, cell)) continue;
       return builder.drop_field(
           index, fmt::format("column {} has {} in line {}, no number", in_quotes(field.name), in_quotes(cell), number));
@@ -59,7 +81,8 @@ class LineParser {
       const auto field = next_field(rest, points_.separator);
       if (!field) break;
       if (roles_[column] == kNoRole) continue;
-      const auto value = parse_double(*field);
+      const auto value = reads_commas_ ? parse_with_comma(*field) : parse_double(*field);
+      note_decimals(*field, number);
       if (!value) throw io_error_at_line(file_.path, number, "expected a number, found " + in_quotes(*field));
       values_[roles_[column]] = *value;
     }
@@ -78,22 +101,29 @@ class LineParser {
   std::vector<std::size_t> roles_;  // by column
   PointValues values_{};
   std::vector<std::string_view> cells_;
+  const bool reads_commas_ = points_.may_have_decimal_commas && points_.separator == ';';
+  bool has_commas_ = false, has_points_ = false;
 };
 
 }  // namespace
 
-void add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
+std::optional<double> parse_with_comma(std::string_view cell) {
+  return has_decimal_comma(cell) ? parse_double(with_point(cell)) : parse_double(cell);
+}
+
+bool add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
                 CloudBuilder& builder) {
   const bool all = points.num_points == std::numeric_limits<std::uint64_t>::max();
   LineParser parser(file, points);
   for (std::uint64_t i = 0; i < points.num_points;) {
     const auto line = lines.next_not_blank();
-    if (!line && all) return;
+    if (!line && all) break;
     if (!line) throw io_error(file.path, fmt::format("expected {} points, found {}", points.num_points, i));
     if (points.has_comments && trimmed(*line).starts_with('#')) continue;
     parser.add(*line, lines_before + lines.line(), builder);
     ++i;
   }
+  return parser.has_commas();
 }
 
 void check_is_text(const FileBytes& file) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "augicp/io/cloud_builder.h"
@@ -19,14 +21,20 @@ struct TextPoints {
   bool has_comments = false;                                             // lines that start with '#'
   std::uint64_t num_points = std::numeric_limits<std::uint64_t>::max();  // max: all lines
 
-  std::vector<std::size_t> fields{};  // the first column of each of PointTable::fields; its others follow it
-  bool has_types = true;              // whether the file states the types of its fields; else they begin as Int64
+  std::vector<std::size_t> fields{};     // the first column of each of PointTable::fields; its others follow it
+  bool may_have_decimal_commas = false;  // between semicolons
+  bool has_types = true;                 // whether the file states the types of its fields; else they begin as Int64
 };
 
 // Adds the points of the next num_points lines; lines then stands behind the last of them. lines_before is the number
 // of lines of the file before `lines`, for messages. Throws IoError if a line is not a point, or there are too few.
-void add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
+// Returns whether a number had a decimal comma. A file with decimal points too is refused: its commas may be those of
+// thousands.
+bool add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
                 CloudBuilder& builder);
+
+// A number, also with a decimal comma.
+std::optional<double> parse_with_comma(std::string_view cell);
 
 // Throws IoError if a text file has a zero byte near its front.
 void check_is_text(const FileBytes& file);
