@@ -136,6 +136,17 @@ def stl_files():
     yield "ascii", f"solid a\n{text}endsolid a\n".encode()
 
 
+def ply_mesh_files():
+    corners = numpy.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], "f4")
+    faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+    lists = "element face 4\nproperty list uchar int vertex_indices\n"
+    text = "".join("%g %g %g\n" % tuple(c) for c in corners) + "".join("3 %d %d %d\n" % face for face in faces)
+    yield "ascii", ply("ascii", "<", text.encode(), other=lists)
+    for name, order in (("binary_little_endian", "<"), ("binary_big_endian", ">")):
+        body = corners.astype(order + "f4").tobytes() + b"".join(struct.pack(order + "B3i", 3, *face) for face in faces)
+        yield name, ply(name, order, body, other=lists)
+
+
 def obj_files():
     yield "polygons", (b"# a box\nv 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 0 0 3\nvn 0 0 1\nvt 0 0\n"
                        b"f 4 3 2 1\nf -5/1/1 -4/1/1 -1/1/1\nf 2//1 3//1 5//1\n")
@@ -332,7 +343,7 @@ def align_files():
     yield "outlier", bytes((1, 200, 2, 0x40)) + guess + POINTS.tobytes() + struct.pack("<3f", 1e17, 0, 0) + POINTS.tobytes()
 
 
-FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "stl": stl_files, "obj": obj_files, "point_cloud2": point_cloud2_files, "depth_message": depth_message_files, "mcap": mcap_files,
+FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "stl": stl_files, "obj": obj_files, "ply_mesh": ply_mesh_files, "point_cloud2": point_cloud2_files, "depth_message": depth_message_files, "mcap": mcap_files,
          "rosbag1": rosbag1_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files, "depth_pgm": depth_pgm_files, "depth_npy": depth_npy_files,
          "grey_png": grey_png_files, "sequence": sequence_files, "align": align_files,
          "xyz": corpus_texts.XYZ.items, "image_list": corpus_texts.IMAGE_LIST.items, "trajectory": corpus_texts.TRAJECTORY.items,

@@ -42,8 +42,8 @@ struct Content {
 
 double size_of(const Vec3d& x) { return x.cwiseAbs().sum(); }
 
-Content read_points(const FileBytes& file) {
-  const CloudFile read = parse_cloud(file);
+Content read_points(const FileBytes& file, const ReadOptions& options = {}) {
+  const CloudFile read = parse_cloud(file, options);
   fuzz::expect_sound(read);
   Content content{read.cloud.size(), read.report.num_not_finite, read.report.warnings.size()};
   for (const Vec3f& point : read.cloud.points) content.sum += size_of(read.cloud.origin + point.cast<double>());
@@ -129,8 +129,15 @@ Content read_message(const FileBytes& file) {
   return content;
 }
 
+Content read_mesh(const FileBytes& file) {
+  ReadOptions options;
+  options.sample_faces = true;
+  return read_points({"any.ply_mesh.ply", file.bytes}, options);
+}
+
 Content read(const FileBytes& file) {
   const std::string kind = file.path.extension().string();
+  if (kind == ".ply_mesh") return read_mesh(file);
   if (kind == ".mcap" || kind == ".bag") return read_recording(file);
   if (kind == ".point_cloud2" || kind == ".depth_message") return read_message(file);
   if (kind == ".depth_png") return read_depth(file);

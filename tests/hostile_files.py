@@ -32,7 +32,7 @@ KINDS = {"ply": (".ply", hostile_oracles.ply), "pcd": (".pcd", hostile_oracles.p
          "grey_png": (".grey_png", small.grey_png), "trajectory": (".trajectory", small.trajectory),
          "image_list": (".image_list", small.image_list), "transform": (".transform", small.transform),
          "camera": (".camera", small.camera), "mcap": (".mcap", hostile_bags.mcap), "rosbag1": (".bag", hostile_bags.rosbag1),
-         "point_cloud2": (".point_cloud2", None), "depth_message": (".depth_message", None), "stl": (".stl", None), "obj": (".obj", None)}
+         "point_cloud2": (".point_cloud2", None), "depth_message": (".depth_message", None), "stl": (".stl", None), "obj": (".obj", None), "ply_mesh": (".ply_mesh", None)}
 TASK_SIZE = 2000
 
 
@@ -58,7 +58,7 @@ def complaint(kind, data, answer):
     """The fault of an answer to a file, or nothing."""
     word, _, rest = answer.partition(" ")
     if word == "refused":
-        return None if kind == "transform" or rest.startswith("any" + KINDS[kind][0] + ": ") else "the error does not name the file"
+        return None if kind == "transform" or rest.startswith(("any" + KINDS[kind][0] + ": ", "any" + KINDS[kind][0] + ".ply: ")) else "the error does not name the file"
     if word != "read":
         return answer
     kept, dropped, warnings = map(int, rest.split()[:3])

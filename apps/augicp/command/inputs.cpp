@@ -101,6 +101,11 @@ void add_input_options(CLI::App& command, InputOptions& options) {
                   "Numbers a point in .bin files: 3, 4 (KITTI), 5 (nuScenes) or 6; 0: found")
       ->capture_default_str()
       ->group(group);
+  command
+      .add_flag(
+          "--sample-faces", options.read.sample_faces,
+          "Take .ply files with faces as meshes: points on the faces, with exact normals (.stl and .obj always are)")
+      ->group(group);
   command.add_option("--max-points", options.read.max_points, "Refuse clouds with more points")
       ->check(CLI::PositiveNumber)
       ->capture_default_str()

@@ -24,6 +24,10 @@ struct ReadOptions {
   // Whether columns beside the cloud's own are kept, in CloudFile::fields. They take as much memory as in a binary
   // file.
   bool keep_fields = false;
+
+  // Whether a .ply file with faces gives points on its faces, as .stl and .obj files always do, instead of its
+  // vertices.
+  bool sample_faces = false;
 };
 
 struct ReadReport {

@@ -44,10 +44,40 @@ std::string box_stl(bool is_binary) {
   return is_binary ? text : text + "endsolid box\n";
 }
 
+// The box as a PLY file: polygons of four corners behind a flag, and an element that nobody needs between.
+std::string box_ply(const std::string& encoding) {
+  const bool is_text = encoding == "ascii", is_big = encoding == "binary_big_endian";
+  const auto bytes_of = [&](auto value) {
+    if (is_text) return fmt::format("{} ", value);
+    std::string bytes = packed<decltype(value)>({value});
+    if (is_big) std::reverse(bytes.begin(), bytes.end());
+    return bytes;
+  };
+  const std::string end = is_text ? "\n" : "";
+  std::string text =
+      "ply\nformat " + encoding +
+      " 1.0\nelement vertex 8\nproperty float x\nproperty uchar flag\nproperty float y\nproperty double "
+      "z\nelement other 1\nproperty list ushort short some\nelement face 6\nproperty uchar flag\nproperty "
+      "list uint int vertex_indices\nend_header\n";
+  for (const auto& [x, y, z] : std::vector<std::array<int, 3>>{
+           {0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 3}, {1, 0, 3}, {1, 2, 3}, {0, 2, 3}})
+    text += bytes_of(float(x)) + bytes_of(std::uint8_t{7}) + bytes_of(float(y)) + bytes_of(double(z)) + end;
+  text += bytes_of(std::uint16_t{2}) + bytes_of(std::int16_t{5}) + bytes_of(std::int16_t{6}) + end;
+  for (const auto& polygon : std::vector<std::array<int, 4>>{
+           {3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}}) {
+    text += bytes_of(std::uint8_t{1}) + bytes_of(std::uint32_t{4});
+    for (const int corner : polygon) text += bytes_of(std::int32_t{corner});
+    text += end;
+  }
+  return text;
+}
+
+const ReadOptions kSampled{.sample_faces = true};
+
 // Every point is on the face of its normal, which points outwards, and faces have points by their area.
 void expect_the_box(const std::string& name, const std::string& bytes) {
   SCOPED_TRACE(name);
-  const CloudFile file = parse(name, bytes);
+  const CloudFile file = parse_cloud({name, bytes}, kSampled);
   const Vec3f size(1, 2, 3);
   ASSERT_EQ(file.cloud.size(), 12000u);
   std::array<int, 6> num_on{};
@@ -71,6 +101,20 @@ TEST(ReadMesh, PointsLieOnTheirFacesEvenly) {
 
 // The mean and the covariance of a uniform distribution on a triangle: (a + b + c) / 3, and the sum of squares of the
 // corners around it over 12.
+TEST(ReadMesh, FacesOfPlyAreSampledOnDemand) {
+  for (const char* encoding : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    const std::string ply = box_ply(encoding);
+    expect_the_box("a.ply", ply);
+    EXPECT_EQ(parse("a.ply", ply).cloud.size(), 8u);
+    for (std::size_t length = ply.find("end_header"); length + 2 < ply.size(); length += 3)
+      EXPECT_THROW(parse_cloud({"a.ply", ply.substr(0, length)}, kSampled), IoError) << encoding << " " << length;
+  }
+  const std::string text = box_ply("ascii");
+  EXPECT_THROW(parse_cloud({"a.ply", testing::with(text, "1 4 2 3 7 6", "1 4 2 3 8 6")}, kSampled), IoError);
+  EXPECT_THROW(parse_cloud({"a.ply", testing::with(text, "1 4 2 3 7 6", "1 4 2 3 -1 6")}, kSampled), IoError);
+  EXPECT_EQ(parse_cloud({"a.ply", testing::with(text, "face 6", "face 0")}, kSampled).cloud.size(), 8u);
+}
+
 TEST(ReadMesh, AFaceIsCoveredEvenly) {
   const Cloud cloud = parse("a.obj", "v 0 0 0\nv 4 0 0\nv 0 2 0\nf 1 2 3\n").cloud;
   Vec3d mean = Vec3d::Zero(), square = Vec3d::Zero();

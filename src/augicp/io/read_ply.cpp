@@ -9,6 +9,7 @@
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
 #include "augicp/io/ply_header.h"
+#include "augicp/io/ply_mesh.h"
 #include "augicp/io/text_points.h"
 
 namespace augicp {
@@ -173,6 +174,7 @@ std::vector<std::string> other_elements(Elements elements) {
 
 CloudFile parse_ply(const FileBytes& file, const ReadOptions& options) {
   const PlyHeader header = parse_ply_header(file);
+  if (options.sample_faces && has_faces(header)) return sampled_ply(file, header, options);
   const Elements elements(header.elements);
   const auto vertex =
       std::find_if(elements.begin(), elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
