@@ -14,7 +14,8 @@ import matplotlib.pyplot as plt
 
 ROOT = Path(__file__).resolve().parents[1]
 AUGICP = ROOT / "build/release/apps/augicp/augicp"
-STYLES = {"point": ("#999999", ":"), "plane": ("#009e73", "-."), "gicp": ("#0072b2", "--"), "augmented": ("#d55e00", "-")}
+STYLES = {"point": ("#999999", ":"), "plane": ("#009e73", "-."), "ndt": ("#cc79a7", (0, (3, 1, 1, 1))),
+          "gicp": ("#0072b2", "--"), "augmented": ("#d55e00", "-")}
 
 
 def augicp(*words):

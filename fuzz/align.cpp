@@ -37,7 +37,7 @@ class Bytes {
 RegistrationOptions take_options(Bytes& bytes) {
   RegistrationOptions options;
   const auto flags = bytes.take<std::uint8_t>(), choices = bytes.take<std::uint8_t>();
-  options.method = static_cast<Method>(choices % 4);
+  options.method = (flags & 128) ? Method::Ndt : static_cast<Method>(choices % 4);
   options.association = static_cast<Association>(choices / 4 % 3);
   options.preset = (flags & 1) ? Preset::Paper : Preset::Default;
   options.search = flags & 2;

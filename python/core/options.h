@@ -89,7 +89,7 @@ inline std::string type_of(double) { return "float"; }
 inline std::string type_of(int) { return "int"; }
 inline std::string type_of(bool) { return "bool"; }
 
-// Literal["augmented", "gicp", "plane", "point"]
+// Literal["augmented", "gicp", "plane", "point", "ndt"]
 std::string literal_type(const std::vector<std::string>& words);
 
 template <HasWords Value>

@@ -24,7 +24,7 @@ source, target: the moving and the fixed cloud: (N, 3) arrays (float32, float64,
   Cloud, or the path of a cloud's file.
 initial: (4, 4) guess of T_target_source, rigid to within 1e-3; None: the identity; "global": there is none, and the pose
   is searched among all.
-method: the objective: "augmented", "gicp", "plane" or "point".
+method: the objective: "augmented", "gicp", "plane", "point" or "ndt".
 threads: 0: all of the machine. The result is bit-identical for any number.
 
 Returns a Result; bool(result) is True only if both clouds support the pose. Bad data never raises: empty or non-overlapping

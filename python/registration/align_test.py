@@ -45,6 +45,17 @@ def test_clouds_as_the_command(room):
     assert_equals_command(result, told)
 
 
+def test_ndt_meets_the_sample_pairs_as_the_command(room):
+    told = command_json("align", ROOM / "source.ply", ROOM / "target.ply", "--method", "ndt", "--json", "-", "--trace")
+    result = augicp.align(*room, method="ndt")
+    assert result.status is augicp.Status.CONVERGED and result.options["method"] == "ndt"
+    wrong = np.linalg.inv(np.loadtxt(ROOM / "T_target_source.txt")) @ result.T_target_source
+    assert np.linalg.norm(wrong[:3, 3]) < 0.02
+    assert_equals_command(result, told)
+    images = [augicp.read(path, "tum-fr1", 5000) for path in IMAGES]
+    assert augicp.align(*images, method="ndt").status is augicp.Status.CONVERGED
+
+
 def test_bare_arrays_as_the_command_on_a_file_of_them(tmp_path, room):
     paths = [tmp_path / "source.npy", tmp_path / "target.npy"]
     arrays = [cloud.points_from_origin for cloud in room]

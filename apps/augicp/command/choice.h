@@ -11,7 +11,7 @@
 
 namespace augicp::app {
 
-// "{augmented,gicp,plane,point}"
+// "{augmented,gicp,plane,point,ndt}"
 template <HasWords Value>
 std::string choices() {
   std::string text;

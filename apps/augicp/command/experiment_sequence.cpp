@@ -112,7 +112,7 @@ void add_method(CLI::App& command, SequenceOptions& options) {
       ->delimiter(',')
       ->transform(choice<Preset>())
       ->group(group);
-  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")
+  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point,ndt (default all)")
       ->delimiter(',')
       ->transform(choice<Method>())
       ->group(group);

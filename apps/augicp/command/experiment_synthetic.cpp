@@ -58,7 +58,7 @@ void add_options(CLI::App& command, SyntheticArguments& arguments) {
       ->group(scene);
   command.add_option("--seeds", options.num_seeds, "Number of scenes and motions")->capture_default_str()->group(scene);
   command.add_option("--seed", options.first_seed, "The first seed")->capture_default_str()->group(scene);
-  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point (default all)")
+  command.add_option("--methods", options.methods, "Any of augmented,gicp,plane,point,ndt (default all but ndt)")
       ->delimiter(',')
       ->transform(choice<Method>())
       ->group(method);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/align/align.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "augicp/align/iteration.h"
@@ -84,6 +85,11 @@ AlignResult align_beside(const FreeDirections& free, const Cloud& source, const 
   return result;
 }
 
+void require_gaussians(const Cloud& target, const InformationModel& information) {
+  if (information.position_sides == Sides::TargetGaussian && !target.empty() && !target.has_gaussians())
+    throw std::invalid_argument("the target has no Gaussians; see estimate_gaussians(), or prepare() with Method::Ndt");
+}
+
 AlignResult align_by(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                      const AlignOptions& options) {
   if (options.free_directions)
@@ -104,6 +110,7 @@ AlignResult align_by(const Cloud& source, const Matcher& matcher, const Rigid3& 
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options) {
   options.check();
+  require_gaussians(matcher.target(), options.information);
   if (!(options.intensity_weight > 0.0) || !compares_intensities(source, matcher.target()))
     return align_by(source, matcher, initial_target_from_source, options);
   // A gradient of the intensity is valid only near its points; from farther away brightness leads anywhere. So shape

@@ -136,8 +136,8 @@ struct AlignResult {
 
 // Section 3.3: pairs, errors, weights, H and b, one damped step; repeated until the step is small. Thread safety:
 // concurrent calls are independent. Poses are between the
-// clouds' points, without their origins. Throws std::invalid_argument for options out of their range, Interrupted where
-// an end was requested.
+// clouds' points, without their origins. Throws std::invalid_argument for options out of their range or if the target
+// lacks the Gaussians that the information model weighs by, Interrupted where an end was requested.
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options);
 

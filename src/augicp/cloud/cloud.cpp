@@ -3,13 +3,19 @@
 
 namespace augicp {
 
+PointGaussian operator*(const Rigid3f& b_from_a, const PointGaussian& gaussian_in_a) {
+  return {b_from_a * gaussian_in_a.mean, b_from_a.rotation * gaussian_in_a.information * b_from_a.rotation.transpose()};
+}
+
 Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a) {
-  const Eigen::Matrix3f rotation = b_from_a.rotation.toRotationMatrix().cast<float>();
+  const Rigid3f about_origin({b_from_a.rotation, Vec3d::Zero()});
+  const Eigen::Matrix3f& rotation = about_origin.rotation;
   Cloud moved = cloud_in_a;
   moved.origin = b_from_a * cloud_in_a.origin;
   for (Vec3f& point : moved.points) point = rotation * point;
   for (Vec3f& direction : moved.directions) direction = rotation * direction;
   for (Vec3f& gradient : moved.intensity_gradients) gradient = rotation * gradient;
+  for (PointGaussian& gaussian : moved.gaussians) gaussian = about_origin * gaussian;
   if (moved.viewpoint) moved.viewpoint = rotation * *moved.viewpoint;
   return moved;
 }

@@ -17,6 +17,18 @@ enum class Structure : std::uint8_t {
   Edge,    // direction is the tangent of a crease or of a thin object; a tangent and its opposite are the same edge
 };
 
+// The Gaussian of the points around a point, which Eq. (2) weighs a pair by.
+struct PointGaussian {
+  Vec3f mean = Vec3f::Zero();  // metres, relative to the cloud's origin
+
+  // The inverse covariance, symmetric, in a unit of the estimator's choice; see surface/gaussians.h. Zero: too few
+  // points are near, and pairs with this point do not count.
+  Eigen::Matrix3f information = Eigen::Matrix3f::Zero();
+};
+
+// The Gaussian of the moved points.
+PointGaussian operator*(const Rigid3f& b_from_a, const PointGaussian& gaussian_in_a);
+
 // A cloud of extended points. Arrays are packed (N,3), and index i means the same point in each of them.
 //
 // Points are relative to `origin`, so that float is precise enough for clouds far from zero (UTM coordinates):
@@ -39,6 +51,9 @@ struct Cloud {
   // surface/intensity_gradient.h.
   std::vector<Vec3f> intensity_gradients;
 
+  // The Gaussian around each point. Empty until it is estimated, see surface/gaussians.h.
+  std::vector<PointGaussian> gaussians;
+
   // Position of the sensor, relative to origin like the points. If it is known, normals point to it. If not, a normal
   // and its opposite are the same plane.
   std::optional<Vec3f> viewpoint;
@@ -48,6 +63,7 @@ struct Cloud {
   bool has_directions() const { return !points.empty() && directions.size() == points.size(); }
   bool has_intensities() const { return !points.empty() && intensities.size() == points.size(); }
   bool has_intensity_gradients() const { return has_intensities() && intensity_gradients.size() == points.size(); }
+  bool has_gaussians() const { return !points.empty() && gaussians.size() == points.size(); }
 };
 
 // Whether normals of the two clouds are compared with their sign: true if both sensor positions are known.
@@ -55,7 +71,8 @@ inline bool normals_have_signs(const Cloud& source, const Cloud& target) {
   return source.viewpoint && target.viewpoint;
 }
 
-// The cloud in another frame: points, origin, viewpoint, directions and gradients are moved, Eq. (4) and (7).
+// The cloud in another frame: points, origin, viewpoint, directions, gradients and Gaussians are moved, Eq. (4)
+// and (7).
 Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a);
 
 // Axis-aligned bounds relative to origin, in metres. Both are zero for an empty cloud.

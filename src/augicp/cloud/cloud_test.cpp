@@ -16,6 +16,9 @@ Cloud small_cloud() {
   cloud.structures = {Structure::Planar, Structure::Edge};
   cloud.intensities = {0.5f, 7.0f};
   cloud.intensity_gradients = {{2.0f, 0.0f, 0.0f}, {0.0f, -3.0f, 1.0f}};
+  Eigen::Matrix3f information;
+  information << 4.0f, 1.0f, 0.0f, 1.0f, 3.0f, -1.0f, 0.0f, -1.0f, 2.0f;
+  cloud.gaussians = {{{0.5f, 0.0f, 1.0f}, information}, {{1.0f, -2.0f, 2.5f}, 2.0f * information}};
   cloud.origin = {10.0, 20.0, 30.0};
   cloud.viewpoint = Vec3f(0.0f, 0.0f, 0.0f);
   return cloud;
@@ -32,6 +35,16 @@ TEST(Cloud, TransformMovesPointsAndTurnsDirections) {
                   testing::NearVector(b_from_a.rotation * cloud.directions[i].cast<double>(), 1e-6));
       EXPECT_THAT(moved.intensity_gradients[i].cast<double>(),
                   testing::NearVector(b_from_a.rotation * cloud.intensity_gradients[i].cast<double>(), 2e-6));
+    }
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const PointGaussian &before = cloud.gaussians[i], &after = moved.gaussians[i];
+      EXPECT_THAT(moved.origin + after.mean.cast<double>(),
+                  testing::NearVector(b_from_a * (cloud.origin + before.mean.cast<double>()), 1e-6));
+      for (const Vec3d& error : {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(1, 2, -3)}) {
+        const Vec3d turned = b_from_a.rotation * error;
+        EXPECT_NEAR(turned.dot(after.information.cast<double>() * turned),
+                    error.dot(before.information.cast<double>() * error), 1e-4);
+      }
     }
     EXPECT_EQ(moved.intensities, cloud.intensities);
     EXPECT_THAT(moved.origin + moved.viewpoint->cast<double>(), testing::NearVector(b_from_a * cloud.origin, 1e-6));

@@ -157,6 +157,7 @@ Cloud select(const Cloud& cloud, const std::vector<std::uint32_t>& indices) {
   if (!cloud.weights.empty()) chosen.weights = at(cloud.weights, indices);
   if (cloud.has_intensities()) chosen.intensities = at(cloud.intensities, indices);
   if (cloud.has_intensity_gradients()) chosen.intensity_gradients = at(cloud.intensity_gradients, indices);
+  if (cloud.has_gaussians()) chosen.gaussians = at(cloud.gaussians, indices);
   if (!cloud.has_directions()) return chosen;
   chosen.directions = at(cloud.directions, indices);
   chosen.structures = at(cloud.structures, indices);
@@ -180,7 +181,8 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
           "too small, the cloud spans more than 2^21 voxels");
   // A cell larger than the cloud is not needed, and its parts would be too coarse for the cloud.
   const Grid grid(box.min, longest > 0.0 ? std::min(voxel_size, 2.0 * longest) : voxel_size);
-  const bool has_more = cloud.has_directions() || cloud.has_intensities() || !cloud.weights.empty();
+  const bool has_more =
+      cloud.has_directions() || cloud.has_gaussians() || cloud.has_intensities() || !cloud.weights.empty();
   SortedPoints sorted = by_voxel(cloud, grid);
   std::vector<std::uint32_t> nearest;
   std::vector<Vec3f> means;

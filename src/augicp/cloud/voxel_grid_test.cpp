@@ -170,9 +170,13 @@ TEST(VoxelGrid, DirectionsComeFromAMember) {
   cloud.points = {{0.0f, 0.0f, 0.0f}, {0.01f, 0.0f, 0.0f}, {0.05f, 0.0f, 0.0f}};
   cloud.directions = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
   cloud.structures = {Structure::Planar, Structure::Edge, Structure::Planar};
+  cloud.gaussians.resize(3);
+  cloud.gaussians[1].mean = {0.02f, 0.0f, 0.0f};
   const Cloud sampled = downsample(cloud, 1.0);
   ASSERT_EQ(sampled.size(), 1u);
   EXPECT_EQ(sampled.directions[0], Vec3f(0.0f, 1.0f, 0.0f));
+  ASSERT_EQ(sampled.gaussians.size(), 1u);
+  EXPECT_EQ(sampled.gaussians[0].mean, cloud.gaussians[1].mean);
   EXPECT_EQ(sampled.structures[0], Structure::Edge);
 }
 

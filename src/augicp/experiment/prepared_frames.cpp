@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/experiment/prepared_frames.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "augicp/core/error.h"
+#include "augicp/surface/gaussians.h"
 #include "augicp/surface/square_neighbourhood.h"
 
 namespace augicp {
@@ -23,6 +25,8 @@ void estimate_unusual_surface(Scan& scan, const Lengths& lengths, const Registra
     neighbourhood =
         std::make_unique<ExactWindowNeighbourhood>(scan.cloud, scan.view->index, window, registration.num_threads);
   estimate_surface(scan.cloud, *neighbourhood, surface_options(registration), registration.num_threads);
+  if (registration.method == Method::Ndt)
+    estimate_gaussians(scan.cloud, *neighbourhood, lengths.radius, registration.num_threads);
 }
 
 }  // namespace
@@ -30,6 +34,8 @@ void estimate_unusual_surface(Scan& scan, const Lengths& lengths, const Registra
 RegistrationOptions frame_options(Preset preset, const SequenceOptions& options) {
   RegistrationOptions registration = options.registration;
   registration.preset = preset;
+  // Preparing for it suffices for all others.
+  if (std::count(options.methods.begin(), options.methods.end(), Method::Ndt) > 0) registration.method = Method::Ndt;
   return registration;
 }
 

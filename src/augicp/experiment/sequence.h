@@ -24,7 +24,7 @@ inline constexpr auto kWords<Surroundings> = std::to_array<Word<Surroundings>>({
 struct SequenceOptions {
   std::vector<std::size_t> gaps{1, 10, 20};  // frames from target to source, each at least 1
   std::vector<Preset> presets{Preset::Default, Preset::Paper};
-  std::vector<Method> methods{Method::Point, Method::Plane, Method::Gicp, Method::Augmented};
+  std::vector<Method> methods{Method::Point, Method::Plane, Method::Ndt, Method::Gicp, Method::Augmented};
   Surroundings surroundings = Surroundings::Window;
   int iterations = 10;  // exact number
 

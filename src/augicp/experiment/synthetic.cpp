@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/experiment/synthetic.h"
 
+#include <algorithm>
+
 #include "augicp/align/damped_step.h"
 #include "augicp/align/weighing.h"
 #include "augicp/core/check.h"
 #include "augicp/experiment/pose_error.h"
+#include "augicp/surface/ball_neighbourhood.h"
+#include "augicp/surface/gaussians.h"
 
 namespace augicp {
 namespace {
@@ -12,13 +16,21 @@ namespace {
 // Smaller steps are lost in the last digits of float points: the pose no longer moves.
 constexpr double kNoStep = 1e-12;
 
+// NDT has the Gaussians of the corrupted target's points in balls of the registration's radius.
+void add_gaussians(Cloud& target, const Lengths& lengths, int num_threads) {
+  const BallNeighbourhood neighbourhood(target, {lengths.radius, 0, 0.0}, num_threads);
+  estimate_gaussians(target, neighbourhood, lengths.radius, num_threads);
+}
+
+Lengths lengths_of(const KnownPairs& known) { return derive_lengths(scan_of(known.source), scan_of(known.target)); }
+
 AlignOptions options_for(Method method, const KnownPairs& known, const SyntheticOptions& options) {
   RegistrationOptions registration;
   registration.preset = options.preset;
   registration.method = method;
   registration.kernel_chi2 = options.kernel_chi2;
   registration.num_threads = options.num_threads;
-  return known_pairs_options(derive_lengths(scan_of(known.source), scan_of(known.target)), registration);
+  return known_pairs_options(lengths_of(known), registration);
 }
 
 // The iteration of section 3.3 without the search for pairs: the errors of the guess and after each iteration.
@@ -50,7 +62,9 @@ Errors run_corruption(KnownPairsOptions scene, const SyntheticOptions& options, 
   Errors errors(options.methods.size());
   for (unsigned i = 0; i < options.num_seeds; ++i) {
     scene.seed = options.first_seed + i;
-    const KnownPairs known = make_known_pairs(scene);
+    KnownPairs known = make_known_pairs(scene);
+    if (std::count(options.methods.begin(), options.methods.end(), Method::Ndt) > 0)
+      add_gaussians(known.target, lengths_of(known), options.num_threads);
     for (std::size_t m = 0; m < options.methods.size(); ++m)
       errors[m].push_back(run_known_pairs(known, options_for(options.methods[m], known, options), options));
     on_run();

@@ -17,6 +17,7 @@ struct SyntheticOptions {
   std::vector<double> outlier_shares{0.0, 0.5, 0.9};  // shares of the pairs, in [0, 1]
   std::vector<double> point_noises{0.0, 0.01, 0.02};  // metres, of each coordinate in both clouds
   std::vector<double> normal_noises_rad{0.0, 0.08726646259971647, 0.3490658503988659};  // 0, 5, 20 degrees
+  // NDT is left out: the noise of normals, which the scene's directions have, is none of its own.
   std::vector<Method> methods{Method::Point, Method::Plane, Method::Gicp, Method::Augmented};
   int iterations = 50;
   unsigned first_seed = 1, num_seeds = 5;  // each seed gives a scene and a motion

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/objective/information.h"
 
+#include <stdexcept>
+
 #include "augicp/core/check.h"
 
 namespace augicp {
@@ -14,6 +16,8 @@ void require_covariance(const Information& information) {
 }  // namespace
 
 void InformationModel::check() const {
+  if (direction_sides == Sides::TargetGaussian)
+    throw std::invalid_argument("direction_sides: directions have no Gaussian");
   for (const StructureInformation* row : {&none, &planar, &edge}) {
     for (const Information& information : {row->position, row->direction}) {
       require_not_negative("information along", information.along);
@@ -59,6 +63,12 @@ InformationModel with_both_sides(const InformationModel& model) {
   InformationModel both = model;
   both.position_sides = Sides::Both;
   return both;
+}
+
+InformationModel ndt_information(double epsilon) {
+  InformationModel model = gicp_information(epsilon);
+  model.position_sides = Sides::TargetGaussian;
+  return model;
 }
 
 InformationModel with_lever(const InformationModel& model, double lever_m) {

@@ -20,9 +20,13 @@ struct StructureInformation {
   Information direction;  // Omega^l
 };
 
-// Whose structure the information of a pair comes from.
+// Where the information of a pair comes from.
 enum class Sides {
   Target,  // Table 2: Omega_i of the target point alone
+
+  // Of positions only: Eq. (2), as NDT has it. The error is that from the mean of the target point's Gaussian, and
+  // Omega is the inverse of its covariance. REQUIRES: the target has Gaussians (Cloud::gaussians).
+  TargetGaussian,
 
   // Both points': (Omega_i^-1 + R Omega_j^-1 R^T)^-1, as GICP has it (Segal, Haehnel and Thrun 2009). Where the
   // directions agree it is half of Omega_i. Where they differ by an angle a, the information along a normal falls by
@@ -40,8 +44,9 @@ struct InformationModel {
     return structure == Structure::Planar ? planar : structure == Structure::Edge ? edge : none;
   }
 
-  // Throws std::invalid_argument unless every number is finite and at least 0. With both sides every number of a part
-  // is above 0, or all of a row's direction are 0: what has no information has no covariance.
+  // Throws std::invalid_argument unless every number is finite and at least 0. Directions have no Gaussian. With both
+  // sides every number of a part is above 0, or all of a row's direction are 0: what has no information has no
+  // covariance.
   void check() const;
 };
 
@@ -62,6 +67,10 @@ InformationModel default_information(double epsilon = kTable2Epsilon);
 
 // The model with the positions' information from both points.
 InformationModel with_both_sides(const InformationModel& model);
+
+// NDT: the Gaussians' information. The model's numbers are those of a disc as wide as its ball, for the test of free
+// motions; they must be in the unit of the Gaussians.
+InformationModel ndt_information(double epsilon = kTable2Epsilon);
 
 // The model with its linear part for a lever: an error of the direction by one radian counts as much as one of the
 // position by lever metres, each in the direction it knows best. Table 2 as printed has a lever of 1 m, whatever the

@@ -59,6 +59,10 @@ TEST(Information, LeverScalesTheLinearPartByItsSquare) {
 TEST(Information, WithoutInformationThereIsNoCovarianceToAdd) {
   EXPECT_THROW(with_both_sides(plane_information()).check(), std::invalid_argument);
   EXPECT_NO_THROW(with_both_sides(gicp_information()).check());
+  EXPECT_NO_THROW(ndt_information().check());
+  InformationModel of_directions = augmented_information();
+  of_directions.direction_sides = Sides::TargetGaussian;
+  EXPECT_THROW(of_directions.check(), std::invalid_argument);
   InformationModel model = augmented_information();
   model.direction_sides = Sides::Both;
   EXPECT_NO_THROW(model.check());

@@ -65,7 +65,7 @@ WhitenedError whitened_error(const Cloud& source, const Cloud& target, const Cor
   const testing::PlainPair plain = testing::plain_pair(source, target, pair, pose, model);
   WhitenedError error;
   error.moved_point = pose * source.points[pair.source].cast<double>();
-  error.target_point = target.points[pair.target].cast<double>();
+  error.target_point = error.moved_point + plain.error.head<3>();
   error.target_direction = target.directions[pair.target].cast<double>();
   error.moved_direction = error.target_direction - plain.error.tail<3>();
   error.sqrt_information = sqrt_of(plain.information);
@@ -135,7 +135,7 @@ TEST(LinearizeAgainstCeres, CostGradientAndMatrixAgree) {
   const std::vector<Correspondence> pairs = testing::random_pairs(100, 60, 24);
   for (const InformationModel& model :
        {point_information(), plane_information(), gicp_information(), augmented_information(), default_information(),
-        with_lever(augmented_information(), 0.3), with_both_sides(augmented_information())}) {
+        with_lever(augmented_information(), 0.3), with_both_sides(augmented_information()), ndt_information()}) {
     for (double kernel_chi2 : {std::numeric_limits<double>::infinity(), 30.0}) {
       for (double angle_rad : {0.0, 0.1, 2.0, 3.1}) {
         const Rigid3 pose = testing::random_motion(generator, angle_rad, 0.5);

@@ -43,6 +43,7 @@ const std::vector<NamedModel> kModels{
     {"gicp", gicp_information()},
     {"augmented", augmented_information()},
     {"default", default_information()},
+    {"ndt", ndt_information()},
     {"a lever of 0.3 m", with_lever(augmented_information(), 0.3)},
     {"gicp, both sides", with_both_sides(gicp_information())},
     {"augmented, both sides", both_parts_with_both_sides(augmented_information())},
@@ -182,6 +183,11 @@ Cloud moved(const Cloud& cloud, const Rigid3& motion) {
   Cloud result = cloud;
   for (Vec3f& point : result.points) point = (motion * point.cast<double>()).cast<float>();
   for (Vec3f& direction : result.directions) direction = (motion.rotation * direction.cast<double>()).cast<float>();
+  for (PointGaussian& gaussian : result.gaussians) {
+    const Mat3d rotation = motion.rotation.toRotationMatrix();
+    gaussian.mean = (motion * gaussian.mean.cast<double>()).cast<float>();
+    gaussian.information = (rotation * gaussian.information.cast<double>() * rotation.transpose()).cast<float>();
+  }
   if (result.viewpoint) result.viewpoint = (motion * result.viewpoint->cast<double>()).cast<float>();
   return result;
 }
@@ -368,6 +374,26 @@ TEST(Linearize, KnownMethodsAreSpecialCases) {
   EXPECT_NEAR(linearize(two, pose, {gicp_information()}).cost, gicp, kFloat * gicp);
 }
 
+// A Gaussian with the covariance of a disc is GICP's; one without information is none.
+TEST(Linearize, NdtOfDiscsIsGicp) {
+  TwoClouds two = random_pairs(200, 18);
+  const Rigid3 pose = some_poses()[2];
+  for (std::size_t i = 0; i < two.target.size(); ++i) {
+    const Information of_structure = gicp_information().of(two.target.structures[i]).position;
+    const Vec3d direction = two.target.directions[i].cast<double>();
+    two.target.gaussians[i] = {two.target.points[i],
+                               testing::information_matrix(of_structure, direction).cast<float>()};
+  }
+  const NormalEquations ndt = linearize(two, pose, {ndt_information(), 100.0});
+  const NormalEquations gicp = linearize(two, pose, {gicp_information(), 100.0});
+  EXPECT_LE(relative_difference(ndt.H, gicp.H), kFloat);
+  EXPECT_LE(relative_difference(ndt.b, gicp.b), kFloat);
+  EXPECT_NEAR(ndt.cost, gicp.cost, kFloat * gicp.cost);
+  for (PointGaussian& gaussian : two.target.gaussians) gaussian.information.setZero();
+  EXPECT_TRUE(linearize(two, pose, {ndt_information()}).H.isZero(0.0));
+  EXPECT_EQ(linearize(two, pose, {ndt_information()}).cost, 0.0);
+}
+
 // One pair, distance apart along x: chi2 = distance^2.
 TwoClouds one_pair(double distance) {
   TwoClouds two;
@@ -437,20 +463,22 @@ TEST(Linearize, EveryPairCountsWhateverTheirNumber) {
 
 TEST(Linearize, SameBitsForAnyNumberOfThreads) {
   for (std::size_t num_pairs : {kLightBlockSize - 1, kLightBlockSize + 1, 5 * kLightBlockSize + 7}) {
-    const TwoClouds two = random_pairs(num_pairs, 16);
-    const Rigid3 pose = some_poses()[2];
-    const Objective objective{augmented_information(), 100.0};
-    const NormalEquations expected = linearize(two, pose, objective, 1);
-    const PairChi2 chi2 = chi2_of_pairs({two.source, two.target, two.pairs, pose}, objective.information, 1);
-    for (int num_threads = 2; num_threads <= 8; ++num_threads) {
-      const NormalEquations equations = linearize(two, pose, objective, num_threads);
-      EXPECT_EQ(equations.H, expected.H);
-      EXPECT_EQ(equations.b, expected.b);
-      EXPECT_EQ(equations.cost, expected.cost);
-      const PairChi2 again =
-          chi2_of_pairs({two.source, two.target, two.pairs, pose}, objective.information, num_threads);
-      EXPECT_EQ(again.position, chi2.position);
-      EXPECT_EQ(again.direction, chi2.direction);
+    for (const InformationModel& model : {augmented_information(), ndt_information()}) {
+      const TwoClouds two = random_pairs(num_pairs, 16);
+      const Rigid3 pose = some_poses()[2];
+      const Objective objective{model, 100.0};
+      const NormalEquations expected = linearize(two, pose, objective, 1);
+      const PairChi2 chi2 = chi2_of_pairs({two.source, two.target, two.pairs, pose}, objective.information, 1);
+      for (int num_threads = 2; num_threads <= 8; ++num_threads) {
+        const NormalEquations equations = linearize(two, pose, objective, num_threads);
+        EXPECT_EQ(equations.H, expected.H);
+        EXPECT_EQ(equations.b, expected.b);
+        EXPECT_EQ(equations.cost, expected.cost);
+        const PairChi2 again =
+            chi2_of_pairs({two.source, two.target, two.pairs, pose}, objective.information, num_threads);
+        EXPECT_EQ(again.position, chi2.position);
+        EXPECT_EQ(again.direction, chi2.direction);
+      }
     }
   }
 }

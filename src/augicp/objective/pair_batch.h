@@ -22,7 +22,8 @@ struct PairBatch {
   // A symmetric 3x3 matrix a pair: the upper triangle, row by row.
   using Symmetric = Array<float>[6];
 
-  // As read: T has yet to be applied. target_direction is zero where the target point has none.
+  // As read: T has yet to be applied. target_point is the mean of its Gaussian where that weighs the pair.
+  // target_direction is zero where the target point has none.
   alignas(64) Array<float> source_point[3]{}, source_direction[3]{}, target_point[3]{}, target_direction[3]{};
   alignas(64) Array<float> weight{}, source_weight{};               // weight: the target point's
   alignas(64) Array<std::int32_t> source_structure{}, structure{};  // structure: the target point's

@@ -91,7 +91,7 @@ InformationTable information_table(const InformationModel& model, Information St
     best = std::max({best, (row->*part).along, (row->*part).across});
   // A row without information, of pairs that are not compared, is given any variance that is one.
   const auto number = [&](double information) {
-    const double found = sides == Sides::Target ? information / unit : information > 0.0 ? best / information : 1.0;
+    const double found = sides != Sides::Both ? information / unit : information > 0.0 ? best / information : 1.0;
     return static_cast<float>(found);
   };
   const auto numbers = [&](double Information::*side) {
@@ -105,6 +105,20 @@ void weigh_positions(const InformationTable& table, PairBatch& batch) {
   alignas(64) float all[kPairsPerBatch];
   std::fill_n(all, kPairsPerBatch, 1.0f);
   weigh(table, all, batch, batch.position_information);
+}
+
+void weigh_by_gaussians(std::span<const PointGaussian> of_target, std::span<const Correspondence> pairs, float per_unit,
+                        PairBatch& batch) {
+  const Symmetric nothing{};
+  for (int k = 0; k < kPairsPerBatch; ++k) {
+    if (static_cast<std::size_t>(k) >= pairs.size()) {
+      put(batch.position_information, k, nothing);
+      continue;
+    }
+    const Eigen::Matrix3f& m = of_target[pairs[static_cast<std::size_t>(k)].target].information;
+    const Symmetric information{m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+    put(batch.position_information, k, scaled(per_unit * batch.weight[k], information));
+  }
 }
 
 void weigh_directions(const InformationTable& table, PairBatch& batch) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
+#include "augicp/cloud/correspondence.h"
 #include "augicp/objective/information.h"
 #include "augicp/objective/pair_batch.h"
 
@@ -19,8 +21,8 @@ struct ByStructure {
   }
 };
 
-// One column of Table 2 in float. For Sides::Target the numbers are information; for Sides::Both they are variances,
-// and the information is `scale` times the inverse of a sum of them.
+// One column of Table 2 in float. For Sides::Both the numbers are variances, and the information is `scale` times the
+// inverse of a sum of them. Otherwise they are information.
 struct InformationTable {
   ByStructure along, across;
   float scale;
@@ -34,5 +36,9 @@ InformationTable information_table(const InformationModel& model, Information St
 // Set position_information; direction_information and compares. The batch is moved already.
 void weigh_positions(const InformationTable& table, PairBatch& batch);
 void weigh_directions(const InformationTable& table, PairBatch& batch);
+
+// Eq. (2): sets position_information to the Gaussians' of the pairs' target points, times per_unit.
+void weigh_by_gaussians(std::span<const PointGaussian> of_target, std::span<const Correspondence> pairs, float per_unit,
+                        PairBatch& batch);
 
 }  // namespace augicp

@@ -2,6 +2,7 @@
 #include "augicp/objective/pair_reader.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "augicp/core/vectorized.h"
@@ -41,14 +42,15 @@ double unit_of(const InformationModel& model) {
   return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
 }
 
-PairModel pair_model(const Rigid3& pose, const InformationModel& information, double unit, bool has_both_sides,
+PairModel pair_model(const Rigid3& pose, const InformationModel& information, double unit, bool has_directions,
                      bool signed_normals) {
   PairModel model{};
   const Mat3d rotation = pose.rotation.toRotationMatrix();
   for (int i = 0; i < 9; ++i) model.rotation[i] = rotation(i / 3, i % 3);
   for (int i = 0; i < 3; ++i) model.translation[i] = pose.translation[i];
   const auto table = [&](Information StructureInformation::*part, Sides sides) {
-    return information_table(information, part, has_both_sides ? sides : Sides::Target, unit);
+    const bool has_sides = sides != Sides::Both || has_directions;
+    return information_table(information, part, has_sides ? sides : Sides::Target, unit);
   };
   model.positions = table(&StructureInformation::position, information.position_sides);
   model.directions = table(&StructureInformation::direction, information.direction_sides);
@@ -63,6 +65,14 @@ void clear_behind(std::size_t count, PairBatch& batch) {
     for (auto& column : *vectors) std::fill(column + count, column + kPairsPerBatch, 0.0f);
   for (auto* weights : {&batch.weight, &batch.source_weight})
     std::fill(*weights + count, *weights + kPairsPerBatch, 0.0f);
+}
+
+// Eq. (2): the error of a pair is that from the mean.
+void read_means(std::span<const PointGaussian> of_target, std::span<const Correspondence> pairs, PairBatch& batch) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const Vec3f& mean = of_target[pairs[k].target].mean;
+    put(batch.target_point, static_cast<int>(k), Vecf{mean.x(), mean.y(), mean.z()});
+  }
 }
 
 void gather_weights(std::span<const float> weights, const IndexRuns& runs, std::size_t count, Column<float>& column) {
@@ -80,7 +90,9 @@ PairReader::PairReader(const PosedPairs& posed, const InformationModel& informat
       information_unit_(unit_of(information)),
       compares_directions_(posed.source.has_directions() && posed.target.has_directions()),
       model_(pair_model(posed.target_from_source, information, information_unit_, compares_directions_,
-                        normals_have_signs(posed.source, posed.target))) {}
+                        normals_have_signs(posed.source, posed.target))) {
+  assert(!weighs_by_gaussians() || target_.empty() || target_.has_gaussians());
+}
 
 void PairReader::read(std::span<const Correspondence> pairs, PairBatch& batch) const {
   IndexRuns of_source, of_target;
@@ -97,9 +109,13 @@ void PairReader::read(std::span<const Correspondence> pairs, PairBatch& batch) c
     gather(source_.directions, of_source, batch.source_direction);
     gather(source_.structures, of_source, batch.source_structure);
   }
+  if (weighs_by_gaussians()) read_means(target_.gaussians, pairs, batch);
   clear_behind(pairs.size(), batch);
   move_batch(model_, batch);
-  weigh_positions(model_.positions, batch);
+  if (weighs_by_gaussians())
+    weigh_by_gaussians(target_.gaussians, pairs, static_cast<float>(1.0 / information_unit_), batch);
+  else
+    weigh_positions(model_.positions, batch);
   weigh_directions(model_.directions, batch);
 }
 

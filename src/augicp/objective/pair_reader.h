@@ -30,6 +30,8 @@ class PairReader {
   double information_unit() const { return information_unit_; }
 
  private:
+  bool weighs_by_gaussians() const { return model_.positions.sides == Sides::TargetGaussian; }
+
   const Cloud& source_;
   const Cloud& target_;
   double information_unit_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "augicp/sensor/projection.h"
 
@@ -13,6 +14,7 @@ struct ExtendedPoint {
   Vec3f position, direction;
   Structure structure;
   float weight;
+  std::optional<PointGaussian> gaussian;
 };
 
 // Reads the points of a cloud in another frame.
@@ -21,8 +23,10 @@ class MovedPoints {
   MovedPoints(const Cloud& cloud, const Rigid3& b_from_a) : cloud_(cloud), b_from_a_(b_from_a) {}
 
   ExtendedPoint operator[](std::int32_t i) const {
-    return {b_from_a_ * cloud_.points[i], b_from_a_.rotation * cloud_.directions[i], cloud_.structures[i],
-            cloud_.weights.empty() ? 1.0f : cloud_.weights[i]};
+    ExtendedPoint point{b_from_a_ * cloud_.points[i], b_from_a_.rotation * cloud_.directions[i], cloud_.structures[i],
+                        cloud_.weights.empty() ? 1.0f : cloud_.weights[i], std::nullopt};
+    if (cloud_.has_gaussians()) point.gaussian = b_from_a_ * cloud_.gaussians[i];
+    return point;
   }
 
  private:
@@ -37,6 +41,7 @@ void append(LocalModel& model, const ExtendedPoint& point, float weight, std::si
   cloud.directions.push_back(point.direction);
   cloud.structures.push_back(point.structure);
   cloud.weights.push_back(point.weight);
+  if (point.gaussian) cloud.gaussians.push_back(*point.gaussian);
   model.weights.push_back(weight);
 }
 
@@ -55,6 +60,11 @@ void average(LocalModel& model, std::int32_t i, ExtendedPoint seen, const MergeO
     cloud.directions[i] = (before * cloud.directions[i] + seen.weight * seen.direction).normalized();
   }
   cloud.points[i] = (before * cloud.points[i] + seen.weight * seen.position) / sum;
+  if (seen.gaussian) {
+    PointGaussian& gaussian = cloud.gaussians[i];
+    gaussian.mean = (before * gaussian.mean + seen.weight * seen.gaussian->mean) / sum;
+    gaussian.information = (before * gaussian.information + seen.weight * seen.gaussian->information) / sum;
+  }
   model.weights[i] = std::min(sum, static_cast<float>(options.max_weight));
 }
 

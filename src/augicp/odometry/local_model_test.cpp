@@ -17,7 +17,7 @@ namespace {
 const MergeOptions kMerge;
 
 // The view of a noisy camera on a room from near the scene's own place, with its surface.
-Scan seen_from(const Rigid3& scene_camera_from_camera, unsigned noise_seed) {
+Scan seen_from(const Rigid3& scene_camera_from_camera, unsigned noise_seed, const RegistrationOptions& options = {}) {
   const testing::Scene room = testing::room();
   const Pinhole camera = testing::kinect_like_camera(80);
   DepthImage depth =
@@ -25,7 +25,7 @@ Scan seen_from(const Rigid3& scene_camera_from_camera, unsigned noise_seed) {
           .depth;
   if (noise_seed > 0) testing::add_depth_noise(depth, testing::kKinectSigmaAt1m, noise_seed);
   const Scan scan = scan_of(depth, camera);
-  return prepare(scan, derive_lengths(scan, scan), RegistrationOptions{});
+  return prepare(scan, derive_lengths(scan, scan), options);
 }
 
 // The median distance of a's points from the planes that b saw in the same pixels.
@@ -137,6 +137,43 @@ TEST(LocalModel, IsCarriedOverToANewView) {
   EXPECT_GE(carried.scan.cloud.size(), keyframe.cloud.size() * 9 / 10) << "what only the keyframe sees is in it";
   for (std::size_t pixel = 0; pixel < carried.scan.view->index.index.size(); ++pixel)
     EXPECT_LT(carried.scan.view->index.index[pixel], static_cast<std::int32_t>(carried.scan.cloud.size()));
+}
+
+// The median distance of the Gaussians' means from the planes of their points, and the median cosine between these
+// planes' normals and what the Gaussians hold.
+struct GaussiansOff {
+  double distance_m, cosine;
+};
+GaussiansOff gaussians_off(const Cloud& cloud) {
+  std::vector<double> distances, cosines;
+  for (std::size_t i = 0; i < cloud.gaussians.size(); ++i) {
+    const PointGaussian& gaussian = cloud.gaussians[i];
+    if (cloud.structures[i] != Structure::Planar || gaussian.information.isZero(0.0f)) continue;
+    const Vec3f &normal = cloud.directions[i], held = gaussian.information * normal;
+    distances.push_back(static_cast<double>(std::abs(normal.dot(gaussian.mean - cloud.points[i]))));
+    cosines.push_back(static_cast<double>(normal.dot(held) / held.norm()));
+  }
+  const auto middle = [](std::vector<double>& values) {
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values.at(values.size() / 2);
+  };
+  return {middle(distances), middle(cosines)};
+}
+
+// NDT's Gaussians move and average with their points: they are no farther from them than in one frame.
+TEST(LocalModel, GaussiansStayWithTheirPoints) {
+  RegistrationOptions ndt;
+  ndt.method = Method::Ndt;
+  const Rigid3 moved{rotation_exp({0.0, 0.1, 0.0}), {0.1, 0.0, 0.0}};
+  const GaussiansOff of_frame = gaussians_off(seen_from({}, 1, ndt).cloud);
+  LocalModel model = model_of(seen_from({}, 1, ndt));
+  for (unsigned seed = 2; seed <= 4; ++seed) merge(model, seen_from({}, seed, ndt), Rigid3{}, kMerge, 1);
+  const LocalModel carried = carried_over(model, seen_from(moved, 20, ndt), inverse(moved), kMerge, 1);
+  for (const Cloud& cloud : {model.scan.cloud, carried.scan.cloud}) {
+    ASSERT_TRUE(cloud.has_gaussians());
+    EXPECT_LT(gaussians_off(cloud).distance_m, 1.1 * of_frame.distance_m);
+    EXPECT_GT(gaussians_off(cloud).cosine, 0.99);
+  }
 }
 
 TEST(LocalModel, WhatTheNewKeyframeSeesThroughIsDropped) {

@@ -40,9 +40,13 @@ Scan seen(const testing::Scene& scene, const Rigid3& world_from_camera, double n
   return scan_of(image, camera);
 }
 
-AlignResult aligned(const Family& family, const Rigid3& motion, double noise, unsigned seed) {
+AlignResult aligned(const Family& family, const Rigid3& motion, double noise, unsigned seed,
+                    Method method = Method::Augmented) {
   const Rigid3& place = family.scene.world_from_camera;
-  return register_scans(seen(family.scene, place * motion, noise, seed + 100), seen(family.scene, place, noise, seed))
+  RegistrationOptions options;
+  options.method = method;
+  return register_scans(seen(family.scene, place * motion, noise, seed + 100), seen(family.scene, place, noise, seed),
+                        {}, options)
       .result;
 }
 
@@ -80,20 +84,21 @@ TEST(Degenerate, AWallHoldsThreeMotionsAndLeavesThree) {
   const Family wall = families().front();
   const Rigid3 motion{Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Vec3d(0.6, 0.0, 0.8))), {0.03, 0.02, 0.05}};
   const Vec3d normal = inverse(wall.scene.world_from_camera).rotation * wall.axis_in_world;
-  for (const double noise : {0.0, testing::kKinectSigmaAt1m}) {
-    const AlignResult result = aligned(wall, motion, noise, 1);
-    ASSERT_EQ(result.status, AlignStatus::Degenerate);
-    const Rigid3& found = result.target_from_source;
-    const Rigid3 wrong = inverse(motion) * found;
-    const Vec3d turned = wrong.rotation * normal;
-    EXPECT_LT(std::acos(std::min(1.0, turned.dot(normal))), 0.2 * kDegree) << noise;
-    // Seen along the optical axis, with the wall about 2 m away.
-    const Vec3d middle(0.0, 0.0, 2.0);
-    EXPECT_NEAR(normal.dot(found * middle - motion * middle), 0.0, 0.005) << noise;
-    // Free motions are zero, except for the effect of the wall's rotation.
-    const Eigen::AngleAxisd turn(found.rotation);
-    EXPECT_LT(std::abs(turn.angle() * turn.axis().dot(normal)), 0.5 * kDegree) << noise;
-  }
+  for (const Method method : {Method::Augmented, Method::Ndt})
+    for (const double noise : {0.0, testing::kKinectSigmaAt1m}) {
+      const AlignResult result = aligned(wall, motion, noise, 1, method);
+      ASSERT_EQ(result.status, AlignStatus::Degenerate);
+      const Rigid3& found = result.target_from_source;
+      const Rigid3 wrong = inverse(motion) * found;
+      const Vec3d turned = wrong.rotation * normal;
+      EXPECT_LT(std::acos(std::min(1.0, turned.dot(normal))), 0.2 * kDegree) << noise;
+      // Seen along the optical axis, with the wall about 2 m away.
+      const Vec3d middle(0.0, 0.0, 2.0);
+      EXPECT_NEAR(normal.dot(found * middle - motion * middle), 0.0, 0.005) << noise;
+      // Free motions are zero, except for the effect of the wall's rotation.
+      const Eigen::AngleAxisd turn(found.rotation);
+      EXPECT_LT(std::abs(turn.angle() * turn.axis().dot(normal)), 0.5 * kDegree) << noise;
+    }
 }
 
 TEST(Degenerate, ACorridorStaysAtTheGuessAlongItself) {

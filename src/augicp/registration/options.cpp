@@ -103,6 +103,8 @@ InformationModel information_for(const RegistrationOptions& options, double epsi
       return plane_information();
     case Method::Point:
       return point_information();
+    case Method::Ndt:
+      return gicp_information(epsilon);  // of the search's wide stage, see align_options()
   }
   return model;
 }
@@ -116,7 +118,7 @@ SurfaceOptions surface_options(const RegistrationOptions& options) {
 
 AlignOptions align_options(const Lengths& lengths, bool projective, const RegistrationOptions& options) {
   AlignOptions align;
-  align.information = information_for(options);
+  align.information = options.method == Method::Ndt ? ndt_information() : information_for(options);
   align.gates.max_distance = lengths.max_distance;
   align.gates.max_angle = options.max_angle;
   if (options.preset == Preset::Default && !projective) {

@@ -13,11 +13,14 @@ namespace augicp {
 
 // The objective: the same code with other numbers (objective/information.h). Under the default preset, with nearest
 // neighbours, the positions of augmented and gicp have the information of both points. Along lines of sight, and under
-// the paper's preset, they have that of the target's point.
-enum class Method { Augmented, Gicp, Plane, Point };
+// the paper's preset, they have that of the target's point. Ndt: the Gaussian around the target's point, Eq. (2).
+enum class Method { Augmented, Gicp, Plane, Point, Ndt };
 template <>
-inline constexpr auto kWords<Method> = std::to_array<Word<Method>>(
-    {{Method::Augmented, "augmented"}, {Method::Gicp, "gicp"}, {Method::Plane, "plane"}, {Method::Point, "point"}});
+inline constexpr auto kWords<Method> = std::to_array<Word<Method>>({{Method::Augmented, "augmented"},
+                                                                    {Method::Gicp, "gicp"},
+                                                                    {Method::Plane, "plane"},
+                                                                    {Method::Point, "point"},
+                                                                    {Method::Ndt, "ndt"}});
 
 enum class Preset {
   Default,  // weights, kernel and classifier from measured noise
@@ -97,7 +100,8 @@ RegistrationOptions iterations_alone();
 // The lengths to use: those that are set, the others derived.
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options);
 
-// The objective before a lever weighs it; epsilon: the softening of Table 2.
+// The objective before a lever weighs it; epsilon: the softening of Table 2. Of Method::Ndt: discs instead of
+// Gaussians, whose softening is fixed.
 InformationModel information_for(const RegistrationOptions& options, double epsilon = kTable2Epsilon);
 
 SurfaceOptions surface_options(const RegistrationOptions& options);

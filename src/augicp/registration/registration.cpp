@@ -12,6 +12,7 @@
 #include "augicp/registration/final_pass.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/surface/ball_neighbourhood.h"
+#include "augicp/surface/gaussians.h"
 #include "augicp/surface/intensity_gradient.h"
 #include "augicp/surface/window_surface.h"
 
@@ -35,17 +36,39 @@ void drop_far_outliers(Cloud& cloud, double extent) {
   if (within.size() < cloud.size()) cloud = select(cloud, within);
 }
 
-void estimate_surface(Scan& scan, const Lengths& lengths, const RegistrationOptions& options) {
-  if (scan.view) {
-    WindowOptions window;
-    window.radius = lengths.radius;
-    estimate_surface(scan.cloud, scan.view->index, window, surface_options(options), options.num_threads);
-    return;
-  }
+// What a scan still lacks of what its method needs.
+struct Missing {
+  bool surface, gaussians;
+};
+Missing missing_of(const Cloud& cloud, const RegistrationOptions& options) {
+  return {!cloud.has_directions(), options.method == Method::Ndt && !cloud.has_gaussians()};
+}
+
+void estimate_in_windows(Scan& scan, Missing missing, const Lengths& lengths, const RegistrationOptions& options) {
+  WindowOptions window;
+  window.radius = lengths.radius;
+  const IndexImage& index = scan.view->index;
+  if (missing.surface) estimate_surface(scan.cloud, index, window, surface_options(options), options.num_threads);
+  if (missing.gaussians)
+    estimate_gaussians(scan.cloud, WindowNeighbourhood(scan.cloud, index, window, options.num_threads), lengths.radius,
+                       options.num_threads);
+}
+
+void estimate_in_balls(Cloud& cloud, Missing missing, const Lengths& lengths, const RegistrationOptions& options) {
   const BallOptions ball{lengths.radius, kMinBallPoints, kMaxBallGrowth * lengths.radius};
-  const BallNeighbourhood neighbourhood(scan.cloud, ball, options.num_threads);
+  const BallNeighbourhood neighbourhood(cloud, ball, options.num_threads);
   throw_if_stopped(options.stop);
-  estimate_surface(scan.cloud, neighbourhood, surface_options(options), options.num_threads);
+  if (missing.surface) estimate_surface(cloud, neighbourhood, surface_options(options), options.num_threads);
+  if (missing.gaussians) estimate_gaussians(cloud, neighbourhood, lengths.radius, options.num_threads);
+}
+
+void estimate_missing(Scan& scan, const Lengths& lengths, const RegistrationOptions& options) {
+  const Missing missing = missing_of(scan.cloud, options);
+  if (!missing.surface && !missing.gaussians) return;
+  if (scan.view)
+    estimate_in_windows(scan, missing, lengths, options);
+  else
+    estimate_in_balls(scan.cloud, missing, lengths, options);
 }
 
 void estimate_intensity_gradients(Scan& scan, const Lengths& lengths, int num_threads) {
@@ -99,7 +122,7 @@ Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& optio
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
   throw_if_stopped(options.stop);
-  if (!scan.cloud.has_directions()) estimate_surface(scan, lengths, options);
+  estimate_missing(scan, lengths, options);
   if (scan.cloud.has_intensities() && !scan.cloud.has_intensity_gradients())
     estimate_intensity_gradients(scan, lengths, options.num_threads);
   return scan;

@@ -56,11 +56,12 @@ TEST(Registration, DepthImagesOfARoomMeet) {
 
 TEST(Registration, CloudsOfARoomMeetByEveryMethod) {
   const Pair pair = room_clouds();
-  for (Method method : {Method::Augmented, Method::Gicp, Method::Plane}) {
+  for (const auto& [method, word] : kWords<Method>) {
+    if (method == Method::Point) continue;  // slides along walls
     RegistrationOptions options;
     options.method = method;
     const AlignResult result = register_scans(pair.source, pair.target, Rigid3{}, options).result;
-    EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.03)) << static_cast<int>(method);
+    EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.03)) << word;
   }
 }
 

@@ -23,6 +23,7 @@ Scan without_skew(const Scan& scan, const Rigid3& first_from_last, int num_threa
       if (scan.cloud.has_directions()) cloud.directions[i] = middle_from_row.rotation * scan.cloud.directions[i];
       if (scan.cloud.has_intensity_gradients())
         cloud.intensity_gradients[i] = middle_from_row.rotation * scan.cloud.intensity_gradients[i];
+      if (scan.cloud.has_gaussians()) cloud.gaussians[i] = middle_from_row * scan.cloud.gaussians[i];
     }
   }
   straight.view->index = project(cloud, Rigid3{}, scan.view->camera, seen.width, seen.height, num_threads);

@@ -74,6 +74,14 @@ TEST(WithoutSkew, PutsEveryRowWhereItWasSeen) {
   EXPECT_LT(rms_off(skewed, without_skew(skewed.scan, skewed.first_from_last, 1).cloud), 1e-5);
 }
 
+TEST(WithoutSkew, GaussiansStayWithTheirPoints) {
+  Skewed skewed = skewed_room();
+  Cloud& cloud = skewed.scan.cloud;
+  for (const Vec3f& point : cloud.points) cloud.gaussians.push_back({point, Eigen::Matrix3f::Identity()});
+  const Cloud straight = without_skew(skewed.scan, skewed.first_from_last, 1).cloud;
+  for (std::size_t i = 0; i < straight.size(); ++i) EXPECT_EQ(straight.gaussians[i].mean, straight.points[i]);
+}
+
 TEST(WithoutSkew, NoMotionChangesNothing) {
   const Skewed skewed = skewed_room();
   const Scan same = without_skew(skewed.scan, Rigid3{}, 1);

@@ -53,9 +53,13 @@ PlainPair plain_pair(const Cloud& source, const Cloud& target, const Corresponde
   const Extended of_source = extended(source, j, target_from_source.rotation);
   const bool has_both = source.has_directions() && target.has_directions();
   PlainPair plain{Vec6d::Zero(), Mat6d::Zero()};
-  plain.error.head<3>() = target.points[i].cast<double>() - target_from_source * source.points[j].cast<double>();
-  plain.information.topLeftCorner<3, 3>() = pair_information(of_target, of_source, &StructureInformation::position,
-                                                             model, has_both ? model.position_sides : Sides::Target);
+  const bool by_gaussian = model.position_sides == Sides::TargetGaussian;
+  const Vec3f& place = by_gaussian ? target.gaussians[i].mean : target.points[i];
+  plain.error.head<3>() = place.cast<double>() - target_from_source * source.points[j].cast<double>();
+  plain.information.topLeftCorner<3, 3>() =
+      by_gaussian ? of_target.weight * target.gaussians[i].information.cast<double>()
+                  : pair_information(of_target, of_source, &StructureInformation::position, model,
+                                     has_both ? model.position_sides : Sides::Target);
   if (has_both && of_target.structure != Structure::None && of_source.structure == of_target.structure) {
     const double cosine = of_target.direction.dot(of_source.direction);
     plain.error.tail<3>() =
