@@ -43,8 +43,9 @@ def draw_curves(axis, rows, column, scale=1.0):
     """The column over the iterations, a line a method."""
     for method, (colour, line) in STYLES.items():
         curve = chosen(rows, method=method)
-        axis.plot([row["iteration"] for row in curve], [scale * row[column] for row in curve], line, color=colour,
-                  label=method, linewidth=1.5)
+        if curve:
+            axis.plot([row["iteration"] for row in curve], [scale * row[column] for row in curve], linestyle=line,
+                      color=colour, label=method, linewidth=1.5)
     axis.grid(alpha=0.3)
 
 
