@@ -50,6 +50,12 @@ std::span<const std::uint32_t> CellGrid::points_of(std::size_t cell) const {
   return std::span(points_).subspan(cells_[cell].begin, end - cells_[cell].begin);
 }
 
+std::size_t CellGrid::cell_at(std::size_t rank) const {
+  const auto after = std::upper_bound(cells_.begin(), cells_.end(), rank,
+                                      [](std::size_t place, const Cell& cell) { return place < cell.begin; });
+  return static_cast<std::size_t>(after - cells_.begin()) - 1;
+}
+
 std::size_t CellGrid::seek(std::size_t from, const Place& place) const {
   const auto is_below = [&](const Cell& cell) { return cell.place < place; };
   std::size_t step = 1;

@@ -21,6 +21,11 @@ class CellGrid {
   // Cells with at least one point.
   std::size_t num_cells() const { return cells_.size(); }
 
+  std::size_t num_points() const { return points_.size(); }
+
+  // The cell of a point, by the point's rank in the order of the cells. REQUIRES: rank < num_points().
+  std::size_t cell_at(std::size_t rank) const;
+
   // The points of a cell, in ascending order.
   std::span<const std::uint32_t> points_of(std::size_t cell) const;
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <span>
+#include <utility>
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
-#include "augicp/search/cell_grid.h"
 #include "augicp/search/kd_tree.h"
 #include "augicp/surface/ball_candidates.h"
 
@@ -20,10 +20,6 @@ constexpr std::size_t kCellsPerBlock = 64, kPointsPerBlock = 256;
 // the average is much larger, the cloud was not downsampled, and its lists would fill the memory.
 constexpr std::size_t kMaxNeighboursPerPoint = 512;
 constexpr std::size_t kFewNeighbours = std::size_t{1} << 24;  // allowed for any cloud: 64 MB
-
-std::size_t max_neighbours(std::size_t num_points) {
-  return std::max(kFewNeighbours, kMaxNeighboursPerPoint * num_points);
-}
 
 // Appends the nearest min_points within the larger radius.
 void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& options,
@@ -44,20 +40,34 @@ Eigen::Array<double, kRows, 1> sum_of(const Rows<kRows>& columns, std::span<cons
   return sum;
 }
 
+double checked_radius(const BallOptions& options) {
+  require_positive("radius", options.radius);
+  return options.radius;
+}
+
 }  // namespace
 
+std::size_t max_neighbours(std::size_t num_points) {
+  return std::max(kFewNeighbours, kMaxNeighboursPerPoint * num_points);
+}
+
 BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const BallOptions& options, int num_threads)
+    : BallNeighbourhood(cloud, CellGrid(cloud, checked_radius(options)), options, num_threads) {}
+
+BallNeighbourhood::BallNeighbourhood(const Cloud& cloud, const CellGrid& grid, const BallOptions& options,
+                                     int num_threads)
     : of_point_(cloud.size()) {
-  require_positive("radius", options.radius);
+  checked_radius(options);
   require_not_negative("max_radius", options.max_radius);
-  find_in_balls(cloud, options, num_threads);
+  find_in_balls(cloud, grid, options, num_threads);
   if (options.min_points > 0 && options.max_radius > options.radius) widen_poor_balls(cloud, options, num_threads);
 }
 
-void BallNeighbourhood::find_in_balls(const Cloud& cloud, const BallOptions& options, int num_threads) {
+void BallNeighbourhood::find_in_balls(const Cloud& cloud, const CellGrid& grid, const BallOptions& options,
+                                      int num_threads) {
   const auto radius_sq = static_cast<float>(options.radius * options.radius);
+  append(Lists(1));               // of points that nothing is near
   if (radius_sq == 0.0f) return;  // no distance is below zero
-  const CellGrid grid(cloud, options.radius);
   Lists lists((grid.num_cells() + kCellsPerBlock - 1) / kCellsPerBlock);
   std::atomic<std::size_t> num_neighbours{0};
   const auto find_in_cells = [&](std::size_t begin, std::size_t end) {
@@ -71,12 +81,13 @@ void BallNeighbourhood::find_in_balls(const Cloud& cloud, const BallOptions& opt
         const std::size_t count = candidates.append_in_ball(cloud.points[i], radius_sq, neighbours);
         lists[begin / kCellsPerBlock].points.push_back({i, count});
         require(num_neighbours.fetch_add(count) + count <= max_neighbours(cloud.size()), "radius", options.radius,
-                "the ball holds more than 512 points on average; thin the cloud, or use a smaller ball");
+                "the ball contains more than 512 points on average; downsample the cloud, or use a smaller ball");
       }
     }
+    neighbours.shrink_to_fit();  // else a third of the memory is unused
   };
   for_each_block(grid.num_cells(), num_threads, find_in_cells, kCellsPerBlock);
-  append(lists);
+  append(std::move(lists));
 }
 
 void BallNeighbourhood::widen_poor_balls(const Cloud& cloud, const BallOptions& options, int num_threads) {
@@ -95,29 +106,31 @@ void BallNeighbourhood::widen_poor_balls(const Cloud& cloud, const BallOptions& 
     }
   };
   for_each_block(poor.size(), num_threads, find_nearest, kPointsPerBlock);
-  append(lists);
+  append(std::move(lists));
 }
 
-void BallNeighbourhood::append(const Lists& lists) {
-  std::size_t total = neighbours_.size();
-  for (const List& list : lists) total += list.neighbours.size();
-  neighbours_.reserve(total);
-  for (const List& list : lists) {
-    std::size_t begin = neighbours_.size();
+// The lists stay where they were made: a copy of all would need their memory twice.
+void BallNeighbourhood::append(Lists lists) {
+  for (List& list : lists) {
+    std::size_t begin = 0;
     for (const auto& [point, count] : list.points) {
-      of_point_[point] = {begin, count};
+      of_point_[point] = {begin, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(neighbours_.size())};
       begin += count;
     }
-    neighbours_.insert(neighbours_.end(), list.neighbours.begin(), list.neighbours.end());
+    neighbours_.push_back(std::move(list.neighbours));
   }
+}
+
+std::span<const std::uint32_t> BallNeighbourhood::neighbours_of(std::size_t point) const {
+  const Range& range = of_point_[point];
+  return std::span(neighbours_[range.list]).subspan(range.begin, range.count);
 }
 
 template <int kRows>
 void BallNeighbourhood::sum_rows(const Channels& values, std::size_t begin, std::size_t end, Channels& sums) const {
   const Rows<kRows> columns(values.data(), values.rows(), values.cols());
   for (std::size_t i = begin; i < end; ++i)
-    sums.col(static_cast<Eigen::Index>(i)) =
-        sum_of<kRows>(columns, std::span(neighbours_).subspan(of_point_[i].begin, of_point_[i].count));
+    sums.col(static_cast<Eigen::Index>(i)) = sum_of<kRows>(columns, neighbours_of(i));
 }
 
 Channels BallNeighbourhood::sum(const Channels& values, int num_threads) const {
