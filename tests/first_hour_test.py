@@ -107,11 +107,39 @@ class WorkTest(unittest.TestCase):
         finished = self.align("--progress", "json", "--json", "-")
         steps = [json.loads(line) for line in finished.stderr.splitlines()]
         names = [step["step"] for step in steps]
-        self.assertEqual(names, ["reading", "surfaces", "aligning"])
+        self.assertEqual(names[:5], ["reading", "surfaces", "indexing", "aligning", "verdict"])
+        self.assertIn("rivals", names)
         self.assertEqual(sorted(step["elapsed_s"] for step in steps), [step["elapsed_s"] for step in steps])
         self.assertEqual(self.align("--progress", "json", "--quiet").stderr, "")
         frames = run("odometry", DESK, "--camera", "tum-fr1", "--last", 3, "--output", self.folder / "o", "--progress", "json").stderr
         self.assertEqual([json.loads(line)["done"] for line in frames.splitlines()], [1, 2, 3])
+
+    def test_progress_names_what_is_searched_and_written(self):
+        points = random.Random(7)
+        noise = self.folder / "noise.xyz"
+        noise.write_text("".join(f"{points.random()} {points.random()} {points.random()}\n" for _ in range(3000)))
+        output, page = self.folder / "o.ply", self.folder / "page.html"
+        finished = run("align", noise, ROOM / "target.ply", "--progress", "json", "--output", output, "--report", page)
+        steps = [json.loads(line) for line in finished.stderr.splitlines()]
+        names = [step["step"] for step in steps]
+        self.assertLess({"search", "descriptors", "aligning", "verdict", "output", "report"}, set(names))
+        self.assertEqual(sorted(step["elapsed_s"] for step in steps), [step["elapsed_s"] for step in steps])
+        several = [step for step in steps if "total" in step]
+        self.assertTrue(several)
+        self.assertTrue(all(step["done"] < step["total"] for step in several))
+
+    def test_too_much_memory_is_refused_before_the_work(self):
+        """A small bound in the place of a large cloud. What the message advises then works, with each command."""
+        for words in (("align", ROOM / "source.ply", ROOM / "target.ply"),
+                      ("surface", ROOM / "source.ply", "--output", self.folder / "o.ply")):
+            given = ("--voxel-size", 0.01, "--radius", 0.5)
+            refused = run(*words, *given, "--max-memory", 0.03)
+            self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
+            advice = re.search(r"use --voxel-size (\S+) or --radius (\S+), or a larger --max-memory", refused.stderr)
+            self.assertIsNotNone(advice, refused.stderr)
+            for voxel_size, radius in ((advice[1], 0.5), (0.01, advice[2])):
+                finished = run(*words, "--voxel-size", voxel_size, "--radius", radius, "--max-memory", 0.03)
+                self.assertNotEqual(finished.returncode, 2, finished.stderr)
 
     def test_verbose_explains_the_lengths_and_the_end(self):
         finished = self.align("--verbose", "--json", "-", "--max-distance", 1)

@@ -48,19 +48,23 @@ CloudFile as_read(Input& input) {
           std::move(input.fields)};
 }
 
-AlignRun register_files(const AlignArguments& arguments) {
+AlignRun register_files(const AlignArguments& arguments, StepLine& line) {
   AlignRun run;
   AlignReport& report = run.report;
   report.source = arguments.source;
   report.target = arguments.target;
   run.initial = initial_pose(arguments.initial);
   const Stopwatch started;
-  StepLine line(arguments.quiet ? Progress::None : arguments.progress);
-  const auto begin = [&](const char* word, std::string text) {
-    line.show(word, text);
+  const auto begin = [&](std::string_view word, std::string text, Turn turn = {}) {
+    line.show(word, text, turn);
     report.steps.emplace_back(std::move(text), started.elapsed_ms());
   };
-  const RegistrationOptions& options = report.options = arguments.registration;
+  report.options = arguments.registration;
+  RegistrationOptions options = arguments.registration;
+  options.on_stage = [&](const StageReport& stage) {
+    const Turn turn{stage.done, stage.total};
+    if (turn.done < turn.total) begin(name_of(stage.stage), stage_text(stage.stage, turn), turn);
+  };
   begin("reading", "reading " + arguments.source + " and " + arguments.target);
   report.with_history = arguments.trace;
   const Stopwatch reading;
@@ -74,12 +78,10 @@ AlignRun register_files(const AlignArguments& arguments) {
   Scan source = std::move(source_read.scan), target = std::move(target_read.scan);
   report.timing_ms.read = reading.elapsed_ms();
   warn_of_units(source.cloud, target.cloud);
-  begin("surfaces", "downsampling both scans and estimating their surfaces");
   const Stopwatch preparing;
   report.num_read = {source.cloud.size(), target.cloud.size()};
   PreparedPair prepared = prepare_pair(std::move(source), std::move(target), options);
   report.timing_ms.surface = preparing.elapsed_ms();
-  begin("aligning", "aligning");
   const Stopwatch aligning;
   Registration registration = register_pair(std::move(prepared), run.initial, options);
   report.timing_ms.align = aligning.elapsed_ms();
@@ -105,22 +107,39 @@ ExitCode exit_code_for(AlignStatus status) {
   }
 }
 
+// All that was asked for but the text. Large clouds take seconds.
+void write_files(const AlignArguments& arguments, AlignRun& run, StepLine& line) {
+  const AlignReport& report = run.report;
+  const Rigid3& pose = report.result.target_from_source;
+  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
+  if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
+  run.source_as_read.cloud = transform(run.source_as_read.cloud, pose);
+  if (!arguments.output.empty()) {
+    line.show("output", "writing " + arguments.output);
+    write_cloud_output(arguments.output, run.source_as_read, arguments.quiet);
+  }
+  if (!arguments.mcap.empty()) {
+    line.show("mcap", "writing " + arguments.mcap);
+    write_align_mcap(arguments.mcap, report, run.source_as_read, run.target_as_read);
+  }
+  if (!arguments.page.empty()) {
+    line.show("report", "writing " + arguments.page);
+    write_text_file(arguments.page, align_page({report, run.initial, run.prepared}));
+  }
+}
+
 int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd", ".las"});
   require_extension(arguments.mcap, {".mcap"}, "--mcap");
   require_use_of_camera(arguments.input, {arguments.source, arguments.target});
-  AlignRun run = register_files(arguments);
+  StepLine line(arguments.quiet ? Progress::None : arguments.progress);
+  AlignRun run = register_files(arguments, line);
+  line.hide();
   const AlignReport& report = run.report;
-  const Rigid3& pose = report.result.target_from_source;
   if (arguments.verbose) fmt::print(stderr, "{}", decisions_text(report));
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
-  if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
-  if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
-  run.source_as_read.cloud = transform(run.source_as_read.cloud, pose);
-  if (!arguments.output.empty()) write_cloud_output(arguments.output, run.source_as_read, arguments.quiet);
-  if (!arguments.mcap.empty()) write_align_mcap(arguments.mcap, report, run.source_as_read, run.target_as_read);
-  if (!arguments.page.empty()) write_text_file(arguments.page, align_page({report, run.initial, run.prepared}));
+  write_files(arguments, run, line);
   return exit_code_for(report.result.status);
 }
 

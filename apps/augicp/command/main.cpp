@@ -10,6 +10,7 @@
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/refusal.h"
 #include "augicp/core/error.h"
+#include "augicp/registration/memory.h"
 
 namespace augicp::app {
 namespace {
@@ -52,6 +53,8 @@ int main(int argc, char** argv) {
     return code;
   } catch (const augicp::IoError& error) {
     return fail(error.what(), kInvalidInput);
+  } catch (const augicp::TooMuchMemory& error) {
+    return fail(error.message("--voxel-size", "--radius", "--max-memory").c_str(), kUsage);
   } catch (const std::invalid_argument& error) {
     return fail(error.what(), kUsage);
   } catch (const std::exception& error) {

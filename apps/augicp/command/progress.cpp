@@ -25,6 +25,10 @@ Progress shown(Progress progress) {
   return progress == Progress::Auto && ::isatty(STDERR_FILENO) != 1 ? Progress::None : progress;
 }
 
+std::string json_of(Turn turn) {
+  return turn.total > 1 ? fmt::format(", \"done\": {}, \"total\": {}", turn.done, turn.total) : "";
+}
+
 }  // namespace
 
 void add_progress_option(CLI::App& command, Progress& progress) {
@@ -75,12 +79,19 @@ StepLine::~StepLine() {
   fmt::print(stderr, "{}", kClearLine);
 }
 
-void StepLine::show(std::string_view word, std::string text) {
+void StepLine::show(std::string_view word, std::string text, Turn turn) {
   if (shown_ == Progress::Json)
-    fmt::print(stderr, "{{\"step\": \"{}\", \"elapsed_s\": {:.3f}}}\n", word, started_.elapsed_ms() / 1000.0);
+    fmt::print(stderr, "{{\"step\": \"{}\"{}, \"elapsed_s\": {:.3f}}}\n", word, json_of(turn),
+               started_.elapsed_ms() / 1000.0);
   const std::lock_guard lock(mutex_);
   text_ = std::move(text);
   step_started_ = {};
+}
+
+void StepLine::hide() {
+  const std::lock_guard lock(mutex_);
+  text_.clear();
+  if (drawing_.joinable()) fmt::print(stderr, "{}", kClearLine);
 }
 
 void StepLine::draw_until_stopped(const std::stop_token& stop) {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "augicp/core/words.h"
+#include "augicp/registration/stage.h"
 
 namespace augicp::app {
 
@@ -66,7 +67,7 @@ class ProgressBar {
 
 // What a command is doing, for work of unknown length: the step and its seconds on stderr, drawn anew by a thread
 // from the first half second on, if it is a terminal; or lines {"step": "surfaces", "elapsed_s": 0.2}, one at
-// the start of each step.
+// the start of each step, with "done" and "total" for a step of several equal ones.
 class StepLine {
  public:
   explicit StepLine(Progress progress);
@@ -75,7 +76,10 @@ class StepLine {
   StepLine& operator=(const StepLine&) = delete;
 
   // word: for programs; text: for people.
-  void show(std::string_view word, std::string text);
+  void show(std::string_view word, std::string text, Turn turn = {});
+
+  // Before something else is printed: the line vanishes until the next step.
+  void hide();
 
  private:
   void draw_until_stopped(const std::stop_token& stop);

@@ -97,10 +97,10 @@ int run_surface(const SurfaceArguments& arguments) {
   const Cloud as_read = scan.cloud;
   line->show("surfaces", "estimating the surface");
   const Cloud cloud = prepare(std::move(scan), lengths, arguments.registration).cloud;
+  line->show("output", "writing " + arguments.output);
+  const auto output = output_fields(cloud, as_read, std::move(fields));
   line.reset();
-  write_cloud_output(arguments.output,
-                     {cloud, std::nullopt, {}, std::nullopt, output_fields(cloud, as_read, std::move(fields))},
-                     arguments.quiet);
+  write_cloud_output(arguments.output, {cloud, std::nullopt, {}, std::nullopt, output}, arguments.quiet);
   if (!arguments.quiet)
     fmt::print("points   {}, ball radius {:.4g} m\nplanar   {:.1f} %\nedge     {:.1f} %\nnone     {:.1f} %\n",
                cloud.size(), lengths.radius, percent(cloud, Structure::Planar), percent(cloud, Structure::Edge),
@@ -119,7 +119,7 @@ void add_surface_command(CLI::App& app, int& exit_code) {
   add_progress_option(*command, arguments->progress);
   command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");
   add_input_options(*command, arguments->input);
-  add_options(*command, arguments->registration, {"preset", "radius", "voxel_size", "threads"});
+  add_options(*command, arguments->registration, {"preset", "radius", "voxel_size", "max_memory_gb", "threads"});
   command->footer(
       "Normals are in nx ny nz and point to the sensor if its position is known; tangents of edges are in tangent_x\n"
       "tangent_y tangent_z. Columns of the input are kept. Colours, unless the input has some: planar blue, edge "

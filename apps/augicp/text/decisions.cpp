@@ -38,7 +38,37 @@ std::string evidence_text(const AlignResult& result) {
   return text;
 }
 
+// Before the count, if there is one.
+std::string_view begun(Stage stage) {
+  switch (stage) {
+    case Stage::Surfaces:
+      return "downsampling both scans and estimating their surfaces";
+    case Stage::Indexing:
+      return "building search trees";
+    case Stage::Search:
+      return "trying rotations of the guess";
+    case Stage::Descriptors:
+      return "searching poses by points that look alike";
+    case Stage::Coarse:
+      return "aligning at a coarse resolution";
+    case Stage::Aligning:
+      return "aligning";
+    case Stage::Verdict:
+      return "judging the pose";
+    case Stage::Rivals:
+      return "searching other poses that may fit as well";
+    case Stage::FinalPass:
+      return "aligning once more in smaller balls";
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string stage_text(Stage stage, Turn turn) {
+  const std::string text(begun(stage));
+  return turn.total > 1 ? fmt::format("{}, start {} of {}", text, turn.done + 1, turn.total) : text;
+}
 
 std::string decisions_text(const AlignReport& report) {
   std::string text = lengths_text(report);

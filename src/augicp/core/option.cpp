@@ -8,6 +8,7 @@ namespace {
 
 std::string_view suffix_of(Unit unit) {
   if (unit == Unit::Seconds) return "_s";
+  if (unit == Unit::Gigabytes) return "_gb";
   return unit == Unit::Chi2 ? "_chi2" : "";
 }
 

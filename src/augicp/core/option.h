@@ -17,17 +17,19 @@
 
 namespace augicp {
 
-enum class Unit { None, Metres, Radians, Degrees, Seconds, Chi2 };
+enum class Unit { None, Metres, Radians, Degrees, Seconds, Chi2, Gigabytes };
 template <>
 inline constexpr auto kWords<Unit> = std::to_array<Word<Unit>>({{Unit::None, ""},
                                                                 {Unit::Metres, "metres"},
                                                                 {Unit::Radians, "radians"},
                                                                 {Unit::Degrees, "degrees"},
                                                                 {Unit::Seconds, "seconds"},
-                                                                {Unit::Chi2, "in units of chi2"}});
+                                                                {Unit::Chi2, "in units of chi2"},
+                                                                {Unit::Gigabytes, "GB"}});
 
 struct OptionText {
-  // The keyword in Python; ends in _s for seconds and in _chi2 for units of chi2, and in _ if it is a reserved word.
+  // The keyword in Python; ends in _s for seconds, in _chi2 for units of chi2 and in _gb for gigabytes, and in _ if it
+  // is a reserved word.
   std::string_view name;
   Unit unit = Unit::None;
   std::string_view group;       // heading in help texts

@@ -32,15 +32,24 @@ AlignResult with_runners_up(std::vector<AlignResult> results, const ScanPair& pa
   return best;
 }
 
+std::vector<Rigid3> proposed(const ScanPair& pair, const RegistrationOptions& options) {
+  return reported(options.on_stage, Stage::Descriptors, [&] { return global_starts(pair, options); });
+}
+
+FullResolution indexed(const ScanPair& pair, const Guess& guess, const RegistrationOptions& options) {
+  return reported(options.on_stage, Stage::Indexing, [&] { return FullResolution(pair, guess, options); });
+}
+
 // Without a guess the most plausible start that convinces is the result. Others then compete only if they may fit too.
 template <typename LeadOn>
 std::vector<AlignResult> from_global_starts(const ScanPair& pair, const FullResolution& full, const LeadOn& lead_on,
                                             const RegistrationOptions& options) {
   std::vector<AlignResult> results;
   bool is_found = false;
-  for (const Rigid3& start : global_starts(pair, options)) {
-    if (is_found && !full.is_promising(start)) continue;
-    results.push_back(lead_on(start));
+  const std::vector<Rigid3> starts = proposed(pair, options);
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    if (is_found && !full.is_promising(starts[k])) continue;
+    results.push_back(lead_on(starts[k], Turn{k, starts.size()}));
     is_found = is_found || is_supported(results.back());
   }
   return results;
@@ -56,6 +65,21 @@ std::vector<AlignResult> best_first(std::vector<AlignResult> results) {
   return results;
 }
 
+// The results from all starts.
+std::vector<AlignResult> from_each(const FullResolution& full, const std::vector<Rigid3>& starts) {
+  std::vector<AlignResult> results;
+  for (std::size_t k = 0; k < starts.size(); ++k) results.push_back(full.from(starts[k], {k, starts.size()}));
+  return results;
+}
+
+std::vector<Rigid3> rivals_of(const AlignResult& found, const ScanPair& pair, const FullResolution& full,
+                              const RegistrationOptions& options) {
+  std::vector<Rigid3> rivals =
+      reported(options.on_stage, Stage::Rivals, [&] { return search_rivals(pair, found.target_from_source, options); });
+  std::erase_if(rivals, [&](const Rigid3& rival) { return !full.is_promising(rival); });
+  return rivals;
+}
+
 bool convinces(const std::vector<AlignResult>& results) {
   return std::any_of(results.begin(), results.end(), is_supported);
 }
@@ -64,13 +88,12 @@ bool convinces(const std::vector<AlignResult>& results) {
 // those around it and, if none convinces, those that need no guess. What convinces is compared with what the scene's
 // symmetries make of it.
 AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options) {
-  const FullResolution full(pair, options.global ? Guess{} : guess, options);
-  const auto lead_on = [&](const Rigid3& start) { return full.from(start); };
+  const FullResolution full = indexed(pair, options.global ? Guess{} : guess, options);
+  const auto lead_on = [&](const Rigid3& start, Turn turn) { return full.from(start, turn); };
   std::vector<AlignResult> results;
   if (!options.global) results.push_back(full.from(guess));
   if (!options.global && !options.search) return std::move(results.front());
-  if (!options.global && !convinces(results))
-    for (const Rigid3& start : search_starts(pair, guess, options)) results.push_back(full.from(start));
+  if (!options.global && !convinces(results)) append(from_each(full, searched(pair, guess, options)), results);
   if (!convinces(results)) append(from_global_starts(pair, full, lead_on, options), results);
   if (results.empty()) return full.from(guess);
   // Where nothing convinces, a pose that stays at the guess along its free motions is not left for another doubtful
@@ -79,8 +102,7 @@ AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const Regi
   if (!stays) results = best_first(std::move(results));
   // The evidence compares shapes. Rivals that brightness tells apart look alike to it.
   if (results.front().status == AlignStatus::Converged && results.front().num_intensity_pairs == 0)
-    for (const Rigid3& rival : search_rivals(pair, results.front().target_from_source, options))
-      if (full.is_promising(rival)) results.push_back(full.from(rival));
+    append(from_each(full, rivals_of(results.front(), pair, full, options)), results);
   return with_runners_up(std::move(results), pair);
 }
 
@@ -90,9 +112,11 @@ AlignResult between_images(const ScanPair& pair, const Rigid3& guess, const Regi
   if (!options.global) results.push_back(from_guess_of_images(pair, guess, options));
   if (!options.global && (!options.search || convinces(results))) return std::move(results.front());
   const Guess known = options.global ? Guess{} : guess;
-  const auto lead_on = [&](const Rigid3& start) { return from_start_of_images(pair, start, known, options); };
-  append(from_global_starts(pair, FullResolution(pair, known, options), lead_on, options), results);
-  if (results.empty()) return lead_on(guess);
+  const auto lead_on = [&](const Rigid3& start, Turn turn) {
+    return from_start_of_images(pair, {start, turn}, known, options);
+  };
+  append(from_global_starts(pair, indexed(pair, known, options), lead_on, options), results);
+  if (results.empty()) return lead_on(guess, {});
   return with_runners_up(best_first(std::move(results)), pair);
 }
 
@@ -101,17 +125,21 @@ AlignResult between_images(const ScanPair& pair, const Rigid3& guess, const Regi
 AlignResult coarse_to_fine(const ScanPair& pair, const Rigid3& guess_target_from_source,
                            const RegistrationOptions& options) {
   if (options.preset == Preset::Paper)
-    return FullResolution(pair, guess_target_from_source, options).from(guess_target_from_source);
+    return indexed(pair, guess_target_from_source, options).from(guess_target_from_source);
   const bool has_images = pair.source.view && is_projective(pair.target, options.association);
   return (has_images ? between_images : between_clouds)(pair, guess_target_from_source, options);
 }
 
 std::vector<AlignResult> from_anywhere(const ScanPair& pair, const RegistrationOptions& options) {
   const bool has_images = pair.source.view && is_projective(pair.target, options.association);
-  const FullResolution full(pair, Guess{}, options);
+  const FullResolution full = indexed(pair, Guess{}, options);
+  const std::vector<Rigid3> starts = proposed(pair, options);
   std::vector<AlignResult> results;
-  for (const Rigid3& start : global_starts(pair, options))
-    results.push_back(has_images ? from_start_of_images(pair, start, Guess{}, options) : full.from(start));
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const Turn turn{k, starts.size()};
+    results.push_back(has_images ? from_start_of_images(pair, {starts[k], turn}, Guess{}, options)
+                                 : full.from(starts[k], turn));
+  }
   std::stable_sort(results.begin(), results.end(), is_better);
   if (!results.empty()) results.front() = with_runners_up(results, pair);
   return results;

@@ -5,6 +5,7 @@
 
 #include "augicp/core/stop.h"
 #include "augicp/registration/judge.h"
+#include "augicp/registration/memory.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/trust/covariance.h"
 
@@ -48,6 +49,17 @@ AlignResult judged_like_first(AlignResult again, const ScanPair& first, const Gu
       .judged(std::move(again));
 }
 
+Registration aligned_finer(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
+  PreparedPair finer = prepare_both(std::move(raw), finer_than(first.prepared.lengths), options);
+  throw_if_stopped(options.stop);
+  const auto matcher = matcher_for(finer.target, /*projective=*/false, finer.lengths);
+  AlignResult again = aligned_again(finer, first.result, *matcher, options);
+  if (!is_more_certain(again, first.result, first.prepared.target.cloud)) return first;
+  again = judged_like_first(std::move(again), first.prepared, guess, options);
+  if (again.status != AlignStatus::Converged) return first;
+  return {std::move(again), std::move(finer)};
+}
+
 }  // namespace
 
 bool may_have_final_pass(const Scan& source, const Scan& target, const RegistrationOptions& options) {
@@ -57,14 +69,14 @@ bool may_have_final_pass(const Scan& source, const Scan& target, const Registrat
 
 Registration with_final_pass(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
   if (first.result.status != AlignStatus::Converged || !first.result.covariance) return first;
-  PreparedPair finer = prepare_both(std::move(raw), finer_than(first.prepared.lengths), options);
-  throw_if_stopped(options.stop);
-  const auto matcher = matcher_for(finer.target, /*projective=*/false, finer.lengths);
-  AlignResult again = aligned_again(finer, first.result, *matcher, options);
-  if (!is_more_certain(again, first.result, first.prepared.target.cloud)) return first;
-  again = judged_like_first(std::move(again), first.prepared, guess, options);
-  if (again.status != AlignStatus::Converged) return first;
-  return {std::move(again), std::move(finer)};
+  const auto again = [&] {
+    try {
+      return aligned_finer(first, std::move(raw), guess, options);
+    } catch (const TooMuchMemory&) {  // the first result needed less
+      return first;
+    }
+  };
+  return reported(options.on_stage, Stage::FinalPass, again);
 }
 
 }  // namespace augicp

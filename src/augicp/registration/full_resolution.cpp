@@ -70,6 +70,7 @@ FullResolution::FullResolution(const ScanPair& pair, const Guess& guess_target_f
       guess_target_from_source_(guess_target_from_source),
       is_paper_(options.preset == Preset::Paper),
       align_by_(align_options(pair.lengths, is_projective(pair.target, options.association), options)),
+      on_stage_(options.on_stage),
       matcher_(matcher_for(pair.target, is_projective(pair.target, options.association), pair.lengths)),
       judge_(pair, *matcher_, guess_target_from_source, align_by_) {}
 
@@ -168,10 +169,17 @@ bool FullResolution::is_doubtful(const AlignResult& result) const {
   return !result.free_motions.empty() || result.observability.num_below(doubtful_information(result)) > 0;
 }
 
-AlignResult FullResolution::from(const Rigid3& start) const {
+AlignResult FullResolution::found_from(const Rigid3& start) const {
   AlignResult result = aligned(start, std::nullopt);
   if (can_be_asked(result) && is_doubtful(result)) result = asked(std::move(result), start);
-  return judge_.judged(std::move(result));
+  return result;
+}
+
+AlignResult FullResolution::from(const Rigid3& start, Turn turn) const {
+  AlignResult result = reported(
+      on_stage_, Stage::Aligning, [&] { return found_from(start); }, turn);
+  return reported(
+      on_stage_, Stage::Verdict, [&] { return judge_.judged(std::move(result)); }, turn);
 }
 
 bool FullResolution::is_promising(const Rigid3& target_from_source) const {

@@ -24,8 +24,8 @@ class FullResolution {
 
   // Motions that the scans say nothing of are free, whatever the information of noisy surfaces: along them the result
   // is at the guess, or at the start if there is none. Motions of which clouds say something are not, however little
-  // information there is.
-  AlignResult from(const Rigid3& start_target_from_source) const;
+  // information there is. turn: for the listener of the options.
+  AlignResult from(const Rigid3& start_target_from_source, Turn turn = {}) const;
 
   // Whether a pose found on few points is near enough to a supported one to be led on.
   bool is_promising(const Rigid3& target_from_source) const;
@@ -37,6 +37,7 @@ class FullResolution {
   AlignResult aligned(const Rigid3& start_target_from_source, const std::optional<FreeDirections>& free) const;
   FreeDirections free_directions(const AlignResult& result, const MotionProbe& probe) const;
   bool is_gain(const AlignResult& again, const AlignResult& result, const MotionProbe& probe) const;
+  AlignResult found_from(const Rigid3& start_target_from_source) const;
   AlignResult asked(AlignResult first, const Rigid3& start_target_from_source) const;
   Rigid3 at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const;
 
@@ -44,6 +45,7 @@ class FullResolution {
   Guess guess_target_from_source_;
   bool is_paper_;
   AlignOptions align_by_;
+  StageListener on_stage_;
   std::unique_ptr<ScanMatcher> matcher_;
   Judge judge_;
 };

@@ -20,6 +20,7 @@ struct Start {
   Rigid3 target_from_source;
   Guess guess;
   ReadoutMotion readout;
+  Turn turn;
 };
 
 // What the loop at full resolution would do, on coarse scans. Absent where they leave a part of the pose free: what no
@@ -51,10 +52,15 @@ void improve(const PreparedPair& coarse, bool bends, const RegistrationOptions& 
   }
 }
 
+AlignResult at_full_resolution(const ScanPair& pair, const Start& start, const RegistrationOptions& options) {
+  const auto index = [&] { return FullResolution(pair, start.guess, options); };
+  return reported(options.on_stage, Stage::Indexing, index, start.turn).from(start.target_from_source, start.turn);
+}
+
 AlignResult without_bend(const ScanPair& pair, const Start& start, const RegistrationOptions& options) {
   const Scan source = without_skew(pair.source, start.readout.source, options.num_threads),
              target = without_skew(pair.target, start.readout.target, options.num_threads);
-  return FullResolution({source, target, pair.lengths}, start.guess, options).from(start.target_from_source);
+  return at_full_resolution({source, target, pair.lengths}, start, options);
 }
 
 bool is_large(const Scan& image) { return step_for(image, kCoarseColumns) > 1; }
@@ -65,23 +71,30 @@ bool bends(const ScanPair& pair, const RegistrationOptions& options) {
 
 }  // namespace
 
-AlignResult from_start_of_images(const ScanPair& pair, const Rigid3& start_target_from_source, const Guess& guess,
+std::vector<Rigid3> searched(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options) {
+  return reported(options.on_stage, Stage::Search, [&] { return search_starts(pair, guess, options); });
+}
+
+AlignResult from_start_of_images(const ScanPair& pair, const StartInTurn& start_in_turn, const Guess& guess,
                                  const RegistrationOptions& options) {
-  Start start{start_target_from_source, guess, {}};
+  Start start{start_in_turn.target_from_source, guess, {}, start_in_turn.turn};
   const bool begins_coarse = options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
-  if (bends(pair, options) || begins_coarse)
+  const auto improved_start = [&] {
     improve(coarser(pair, kCoarseColumns, 1.0), bends(pair, options), options, start);
-  return bends(pair, options) ? without_bend(pair, start, options)
-                              : FullResolution(pair, start.guess, options).from(start.target_from_source);
+    return start;
+  };
+  if (bends(pair, options) || begins_coarse)
+    start = reported(options.on_stage, Stage::Coarse, improved_start, start.turn);
+  return bends(pair, options) ? without_bend(pair, start, options) : at_full_resolution(pair, start, options);
 }
 
 AlignResult from_guess_of_images(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options) {
-  const Rigid3 start = options.search ? search_starts(pair, guess, options).front() : guess;
+  const Rigid3 start = options.search ? searched(pair, guess, options).front() : guess;
   const bool begins_coarse = options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
-  AlignResult found = from_start_of_images(pair, start, guess, options);
+  AlignResult found = from_start_of_images(pair, {start}, guess, options);
   const bool was_the_guess = !bends(pair, options) && !begins_coarse && start.matrix() == guess.matrix();
   if (is_supported(found) || was_the_guess) return found;
-  AlignResult from_guess = FullResolution(pair, guess, options).from(guess);
+  AlignResult from_guess = at_full_resolution(pair, {guess, guess, {}, {}}, options);
   return is_better(found, from_guess) ? found : from_guess;
 }
 

@@ -29,6 +29,9 @@ void for_each_option(Options& options, const Visit& visit) {
         options.min_step);
   visit({"threads", None, kMethod, "Threads; 0: all of the machine's; the result is the same for any number"},
         options.num_threads);
+  visit({"max_memory_gb", Gigabytes, kMethod, "Clouds whose surfaces would need more memory are refused beforehand",
+         "half of the machine's"},
+        options.max_memory_gb);
   visit(
       {"covariance", None, kMethod, "The pose's covariance is computed; a small image takes a fifth less time without"},
       options.covariance);

@@ -68,6 +68,7 @@ void RegistrationOptions::check() const {
   if (kernel_chi2) require_positive("kernel_chi2", *kernel_chi2);
   if (lever) require_not_negative("lever", *lever);
   if (damping) require_not_negative("damping", *damping);
+  if (max_memory_gb) require(*max_memory_gb > 0.0, "max_memory_gb", *max_memory_gb, "must be above 0");
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
   require_not_negative("min_step", min_step);
   require(!(global && preset == Preset::Paper), "global", global, "must be off under the paper's preset");

@@ -7,6 +7,7 @@
 #include "augicp/align/align.h"
 #include "augicp/core/words.h"
 #include "augicp/registration/lengths.h"
+#include "augicp/registration/stage.h"
 #include "augicp/surface/estimate_surface.h"
 
 namespace augicp {
@@ -85,6 +86,14 @@ struct RegistrationOptions {
   double min_step = 1e-5;
 
   int num_threads = 0;  // 0: all of the machine
+
+  // 10^9 bytes. Clouds are refused before their surfaces are estimated if that is expected to need more, see
+  // require_memory(). Not set: half of the machine's memory. Infinity: no bound.
+  std::optional<double> max_memory_gb;
+
+  // Called in the thread that called the registration, at the beginning and at the end of what each stage does. What it
+  // throws ends the registration and reaches the caller. Empty: nobody listens.
+  StageListener on_stage{};
 
   // Checked before each stage of prepare(), each start and each iteration: the call throws Interrupted once any thread
   // requests an end.

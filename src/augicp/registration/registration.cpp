@@ -2,6 +2,7 @@
 #include "augicp/registration/registration.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "augicp/cloud/voxel_grid.h"
@@ -10,6 +11,7 @@
 #include "augicp/match/ray_spacing.h"
 #include "augicp/registration/coarse_to_fine.h"
 #include "augicp/registration/final_pass.h"
+#include "augicp/registration/memory.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/surface/ball_neighbourhood.h"
 #include "augicp/surface/gaussians.h"
@@ -39,6 +41,8 @@ void drop_far_outliers(Cloud& cloud, double extent) {
 // What a scan still lacks of what its method needs.
 struct Missing {
   bool surface, gaussians;
+
+  bool any() const { return surface || gaussians; }
 };
 Missing missing_of(const Cloud& cloud, const RegistrationOptions& options) {
   return {!cloud.has_directions(), options.method == Method::Ndt && !cloud.has_gaussians()};
@@ -54,21 +58,25 @@ void estimate_in_windows(Scan& scan, Missing missing, const Lengths& lengths, co
                        options.num_threads);
 }
 
-void estimate_in_balls(Cloud& cloud, Missing missing, const Lengths& lengths, const RegistrationOptions& options) {
+void estimate_in_balls(ThinnedScan& thinned, Missing missing, const Lengths& lengths,
+                       const RegistrationOptions& options) {
+  Cloud& cloud = thinned.scan.cloud;
   const BallOptions ball{lengths.radius, kMinBallPoints, kMaxBallGrowth * lengths.radius};
-  const BallNeighbourhood neighbourhood(cloud, ball, options.num_threads);
+  const BallNeighbourhood neighbourhood(cloud, *thinned.grid, ball, options.num_threads);
+  thinned.grid.reset();
   throw_if_stopped(options.stop);
   if (missing.surface) estimate_surface(cloud, neighbourhood, surface_options(options), options.num_threads);
   if (missing.gaussians) estimate_gaussians(cloud, neighbourhood, lengths.radius, options.num_threads);
 }
 
-void estimate_missing(Scan& scan, const Lengths& lengths, const RegistrationOptions& options) {
+void estimate_missing(ThinnedScan& thinned, const Lengths& lengths, const RegistrationOptions& options) {
+  Scan& scan = thinned.scan;
   const Missing missing = missing_of(scan.cloud, options);
-  if (!missing.surface && !missing.gaussians) return;
+  if (!missing.any()) return;
   if (scan.view)
     estimate_in_windows(scan, missing, lengths, options);
   else
-    estimate_in_balls(scan.cloud, missing, lengths, options);
+    estimate_in_balls(thinned, missing, lengths, options);
 }
 
 void estimate_intensity_gradients(Scan& scan, const Lengths& lengths, int num_threads) {
@@ -108,24 +116,41 @@ bool have_extent(const ScanPair& pair) {
   return !pair.source.cloud.empty() && !pair.target.cloud.empty() && pair.lengths.max_distance > 0.0;
 }
 
-}  // namespace
+// Without extent there are no lengths and no surface: empty, or all points in one place.
+bool has_surface(const Cloud& cloud, const Lengths& lengths) { return lengths.radius > 0.0 && !cloud.empty(); }
 
-Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
+ThinnedScan thinned(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
   throw_if_stopped(options.stop);
+  const std::size_t num_read = scan.cloud.size();
   if (!options.intensity) scan.cloud.intensities.clear(), scan.cloud.intensity_gradients.clear();
-  // Without extent there are no lengths and no surface: empty, or all points in one place.
-  if (!(lengths.radius > 0.0) || scan.cloud.empty()) return scan;
+  if (!has_surface(scan.cloud, lengths)) return {std::move(scan), num_read, std::nullopt};
   if (!scan.view) {
     drop_far_outliers(scan.cloud, lengths.extent);
     scan.place_is_known = is_one_sensors_scan(scan.cloud);
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
+  std::optional<CellGrid> grid;
+  if (!scan.view && missing_of(scan.cloud, options).any()) grid.emplace(scan.cloud, lengths.radius);
+  return {std::move(scan), num_read, std::move(grid)};
+}
+
+Scan extended(ThinnedScan thinned, const Lengths& lengths, const RegistrationOptions& options) {
   throw_if_stopped(options.stop);
-  estimate_missing(scan, lengths, options);
+  Scan& scan = thinned.scan;
+  if (!has_surface(scan.cloud, lengths)) return std::move(scan);
+  estimate_missing(thinned, lengths, options);
   if (scan.cloud.has_intensities() && !scan.cloud.has_intensity_gradients())
     estimate_intensity_gradients(scan, lengths, options.num_threads);
-  return scan;
+  return std::move(scan);
+}
+
+}  // namespace
+
+Scan prepare(Scan scan, const Lengths& lengths, const RegistrationOptions& options) {
+  ThinnedScan few = thinned(std::move(scan), lengths, options);
+  require_memory({&few}, lengths, options);
+  return extended(std::move(few), lengths, options);
 }
 
 PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& options) {
@@ -133,21 +158,23 @@ PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& o
   const Lengths lengths = lengths_for(source, target, options);
   std::optional<RawPair> raw;
   if (may_have_final_pass(source, target, options)) raw = RawPair{source, target};
-  PreparedPair pair = prepare_both({std::move(source), std::move(target)}, lengths, options);
+  const auto prepare_now = [&] { return prepare_both({std::move(source), std::move(target)}, lengths, options); };
+  PreparedPair pair = reported(options.on_stage, Stage::Surfaces, prepare_now);
   pair.raw = std::move(raw);
   return pair;
 }
 
 PreparedPair prepare_both(RawPair raw, const Lengths& lengths, const RegistrationOptions& options) {
-  PreparedPair pair{std::move(raw.source), std::move(raw.target), lengths};
   RegistrationOptions of_half = options;  // of the threads
   if (options.num_threads > 1) of_half.num_threads = options.num_threads / 2;
-  const auto prepare_one = [&](std::size_t which, std::size_t) {
-    Scan& scan = which == 0 ? pair.source : pair.target;
-    scan = prepare(std::move(scan), lengths, of_half);
-  };
-  for_each_block(2, options.num_threads, prepare_one, 1);
-  return pair;
+  std::array<Scan, 2> scans{std::move(raw.source), std::move(raw.target)};
+  std::array<ThinnedScan, 2> few;
+  const auto thin_one = [&](std::size_t k, std::size_t) { few[k] = thinned(std::move(scans[k]), lengths, of_half); };
+  for_each_block(2, options.num_threads, thin_one, 1);
+  require_memory({&few[0], &few[1]}, lengths, options);
+  const auto extend_one = [&](std::size_t k, std::size_t) { scans[k] = extended(std::move(few[k]), lengths, of_half); };
+  for_each_block(2, options.num_threads, extend_one, 1);
+  return {std::move(scans[0]), std::move(scans[1]), lengths};
 }
 
 AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target_from_source,

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The memory that surface estimation needs, known before it begins.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "augicp/registration/options.h"
+#include "augicp/search/cell_grid.h"
+
+namespace augicp {
+
+// A scan that was downsampled and whose surface is to be estimated in balls, which takes a grid of its points. Depth
+// images, and clouds with directions, have no grid and need little.
+struct ThinnedScan {
+  Scan scan;
+  std::size_t num_read = 0;  // points before it was downsampled
+  std::optional<CellGrid> grid;
+};
+
+// What would be enough: one of the two. Metres; not set: that one alone is not enough.
+struct EnoughMemory {
+  std::optional<double> voxel_size, radius;
+};
+
+// The clouds need more memory than is allowed. what() is in the words of the library's options.
+class TooMuchMemory : public std::invalid_argument {
+ public:
+  TooMuchMemory(const std::string& need, const EnoughMemory& enough);
+
+  // The message with other names for the options, for instance "--voxel-size".
+  std::string message(std::string_view voxel_size, std::string_view radius, std::string_view max_memory) const;
+
+ private:
+  std::string need_;
+  EnoughMemory enough_;
+};
+
+// Throws TooMuchMemory if the surfaces of these scans, estimated at the same time, are expected to need more memory
+// than the options allow, or if a ball would contain more points than BallNeighbourhood takes. Lengths, metres, are
+// those of the scans' grids. The estimate errs by a third at most where clouds are large.
+void require_memory(const std::vector<const ThinnedScan*>& scans, const Lengths& lengths,
+                    const RegistrationOptions& options);
+
+}  // namespace augicp
