@@ -3,7 +3,9 @@
 
 #include <list>
 #include <mutex>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace augicp::python {
 namespace {
@@ -25,13 +27,43 @@ std::list<Kept> kept;  // guarded by kept_mutex
 
 }  // namespace
 
-void wait_or_leave(const std::function<bool()>& has_ended, std::stop_source& stop, const std::function<void()>& leave) {
-  while (!rests_until(has_ended)) {
-    if (PyErr_CheckSignals() == 0) continue;  // always 0 outside the main thread
-    const py::error_already_set raised;       // takes the exception out of Python's hands for now
+struct Reports::Waiting {
+  std::mutex mutex;
+  std::vector<StageReport> reports;  // guarded by mutex
+};
+
+Reports::Reports(py::object listener) : listener_(std::move(listener)), waiting_(std::make_shared<Waiting>()) {}
+
+StageListener Reports::on_stage() const {
+  if (listener_.is_none()) return {};
+  return [waiting = waiting_](const StageReport& report) {
+    const std::lock_guard lock(waiting->mutex);
+    waiting->reports.push_back(report);
+  };
+}
+
+void Reports::call_listener() {
+  std::vector<StageReport> reports;
+  {
+    const std::lock_guard lock(waiting_->mutex);
+    reports.swap(waiting_->reports);
+  }
+  for (const auto& [stage, done, total] : reports) listener_(std::string(name_of(stage)), done, total);
+}
+
+void wait_or_leave(const std::function<bool()>& has_ended, std::stop_source& stop, const std::function<void()>& leave,
+                   const std::function<void()>& between) {
+  bool is_over = false;
+  try {
+    while (!is_over) {
+      is_over = rests_until(has_ended);
+      if (!is_over && PyErr_CheckSignals() != 0) throw py::error_already_set();  // never outside the main thread
+      if (between) between();
+    }
+  } catch (...) {
     stop.request_stop();
-    leave();
-    throw raised;
+    if (!is_over) leave();
+    throw;
   }
 }
 

@@ -26,6 +26,9 @@ initial: (4, 4) guess of T_target_source, rigid to within 1e-3; None: the identi
   is searched among all.
 method: the objective: "augmented", "gicp", "plane", "point" or "ndt".
 threads: 0: all of the machine. The result is bit-identical for any number.
+progress: called as progress(stage, done, total) at the beginning and at the end of each step: a word ("surfaces",
+  "search", "aligning", "verdict", ...), how many items of that stage are done, and how many there are. What it raises
+  stops the work and comes out of this call. It has no influence on the result.
 
 Returns a Result; bool(result) is True only if both clouds support the pose. Bad data never raises: empty or non-overlapping
 clouds give a status. Raises ArgumentError (a ValueError) for options and shapes out of
@@ -40,7 +43,7 @@ constexpr const char* kFindDoc = R"(Finds the rigid motion between two clouds of
 
 Returns a list of Result: every pose that was found, the best first, each with its evidence. The first one is that of
 align(source, target, initial="global"); the others have the status that they would have alone. Empty if the clouds have
-nothing alike. source, target, threads, options and exceptions: as of align().
+nothing alike. source, target, threads, progress, options and exceptions: as of align().
 )";
 
 // What a result says of its options: they have the derived lengths.
@@ -61,6 +64,12 @@ RegistrationOptions options_from(const py::object& method, const py::object& thr
   RegistrationOptions options;
   set_options(given, options);
   return options;
+}
+
+Reports reports_to(const py::object& progress) {
+  if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+    throw WrongType("progress: expected something to call as progress(stage, done, total)");
+  return Reports(progress);
 }
 
 // The guess; or the word for none, which is set in the options.
@@ -87,35 +96,41 @@ std::shared_ptr<const ResultInputs> inputs_from(const py::object& source, const 
 }
 
 Result align(const py::object& source, const py::object& target, const py::object& initial, const py::object& method,
-             const py::object& threads, const py::kwargs& given) {
+             const py::object& threads, const py::object& progress, const py::kwargs& given) {
   RegistrationOptions options = options_from(method, threads, given);
+  Reports reports = reports_to(progress);
   const Rigid3 guess = guess_from(initial, options);
   options.check();
   const auto inputs = inputs_from(source, target, guess);
-  return without_gil_or_wait([inputs, options](const std::stop_token& stop) {
-    RegistrationOptions stoppable = options;
-    stoppable.stop = stop;
-    Registration registration = register_scans(*inputs->source, *inputs->target, inputs->initial, stoppable);
+  const auto work = [inputs, options, on_stage = reports.on_stage()](const std::stop_token& stop) {
+    RegistrationOptions watched = options;
+    watched.stop = stop;
+    watched.on_stage = on_stage;
+    Registration registration = register_scans(*inputs->source, *inputs->target, inputs->initial, watched);
     return with_lengths(std::move(registration.result), registration.prepared.target, registration.prepared.lengths,
                         options, inputs);
-  });
+  };
+  return without_gil_or_wait(work, &reports);
 }
 
 std::vector<Result> find_pose(const py::object& source, const py::object& target, const py::object& method,
-                              const py::object& threads, const py::kwargs& given) {
+                              const py::object& threads, const py::object& progress, const py::kwargs& given) {
   RegistrationOptions options = options_from(method, threads, given);
+  Reports reports = reports_to(progress);
   options.global = true;
   options.check();
   const auto inputs = inputs_from(source, target, {});
-  return without_gil_or_wait([inputs, options](const std::stop_token& stop) {
-    RegistrationOptions stoppable = options;
-    stoppable.stop = stop;
-    const Lengths lengths = lengths_for(*inputs->source, *inputs->target, stoppable);
+  const auto work = [inputs, options, on_stage = reports.on_stage()](const std::stop_token& stop) {
+    RegistrationOptions watched = options;
+    watched.stop = stop;
+    watched.on_stage = on_stage;
+    const Lengths lengths = lengths_for(*inputs->source, *inputs->target, watched);
     std::vector<Result> results;
-    for (AlignResult& found : augicp::find_pose(*inputs->source, *inputs->target, stoppable))
+    for (AlignResult& found : augicp::find_pose(*inputs->source, *inputs->target, watched))
       results.push_back(with_lengths(std::move(found), *inputs->target, lengths, options, inputs));
     return results;
-  });
+  };
+  return without_gil_or_wait(work, &reports);
 }
 
 }  // namespace
@@ -124,9 +139,9 @@ void bind_align(py::module_& module) {
   const py::dict usual = values_of(RegistrationOptions{});
   module.def("align", &align, py::arg("source"), py::arg("target"), py::arg("initial") = py::none(),
              py::arg("method") = usual["method"], py::arg("threads") = usual["threads"],
-             (kDoc + options_doc<RegistrationOptions>()).c_str());
+             py::arg("progress") = py::none(), (kDoc + options_doc<RegistrationOptions>()).c_str());
   module.def("find_pose", &find_pose, py::arg("source"), py::arg("target"), py::arg("method") = usual["method"],
-             py::arg("threads") = usual["threads"], kFindDoc);
+             py::arg("threads") = usual["threads"], py::arg("progress") = py::none(), kFindDoc);
 }
 
 }  // namespace augicp::python
