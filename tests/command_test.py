@@ -237,7 +237,7 @@ class CommandTest(unittest.TestCase):
         options = self.align("--max-angle-deg", 45)["options"]
         self.assertEqual(round(options["max_angle_deg"], 9), 45)
         for name in options:
-            self.assertIn("--" + name.removesuffix("_chi2").replace("_", "-"), text)
+            self.assertIn("--" + name.removesuffix("_chi2").removesuffix("_gb").replace("_", "-"), text)
 
     def test_initial_guess_is_taken(self):
         near = self.align("--no-search", "--initial", ROOM / "T_target_source.txt", "--max-iterations", 50)

@@ -17,6 +17,7 @@ TEST(Option, AnglesHaveDegreesOutside) {
 TEST(Option, FlagsLackTheSuffixOfTheUnit) {
   EXPECT_EQ(flag_name({"time_offset_s", Unit::Seconds, "", ""}), "time-offset");
   EXPECT_EQ(flag_name({"kernel_chi2", Unit::Chi2, "", ""}), "kernel");
+  EXPECT_EQ(flag_name({"max_memory_gb", Unit::Gigabytes, "", ""}), "max-memory");
   EXPECT_EQ(flag_name({"guess_s", Unit::None, "", ""}), "guess-s");
   EXPECT_EQ(flag_name({"radius", Unit::Metres, "", ""}), "radius");
   EXPECT_EQ(outer_name({"time_offset_s", Unit::Seconds, "", ""}), "time_offset_s");
