@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "apps/augicp/page/align_page.h"
+#include "apps/augicp/page/nearest_rows.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/registration/registration.h"
 #include "python/core/without_gil.h"
@@ -31,7 +32,13 @@ std::string page_of(const Result& result, const ResultInputs& inputs, const std:
   report.lengths = prepared.lengths;
   report.options = result.options;
   app::refer_to(prepared.target.cloud, report);
-  return app::align_page({report, inputs.initial, prepared});
+  const auto colours = [](const Scan& scan, const ColouredScan& given) {
+    return app::nearest_colours(scan.cloud, given.cloud, given.colours);
+  };
+  return app::align_page({report,
+                          inputs.initial,
+                          prepared,
+                          {colours(prepared.source, *inputs.source), colours(prepared.target, *inputs.target)}});
 }
 
 }  // namespace

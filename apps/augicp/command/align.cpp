@@ -14,6 +14,7 @@
 #include "apps/augicp/command/recording.h"
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/align_page.h"
+#include "apps/augicp/page/nearest_rows.h"
 #include "apps/augicp/text/align.h"
 #include "apps/augicp/text/decisions.h"
 #include "augicp/io/transform_file.h"
@@ -39,13 +40,30 @@ Rigid3 initial_pose(const std::string& argument) {
 struct AlignRun {
   AlignReport report;
   Rigid3 initial;
-  CloudFile source_as_read, target_as_read;  // empty unless they are written
+  CloudFile source_as_read, target_as_read;  // empty unless an output needs them
   PreparedPair prepared;
 };
 
-CloudFile as_read(Input& input) {
-  return {input.scan.cloud, std::move(input.grid), std::move(input.report), std::move(input.las),
-          std::move(input.fields)};
+struct ReadFile {
+  Scan scan;
+  CloudFile as_read;
+};
+
+// keep: whether the file is needed beside its scan.
+ReadFile read_file(const std::string& path, InputOptions options, const std::string& image, bool keep) {
+  options.read.keep_fields = keep;
+  Input read = read_input(path, options, image);
+  if (!keep) return {std::move(read.scan), {}};
+  CloudFile as_read{read.scan.cloud, std::move(read.grid), std::move(read.report), std::move(read.las),
+                    std::move(read.fields)};
+  return {std::move(read.scan), std::move(as_read)};
+}
+
+PairColours seen_colours(const AlignRun& run) {
+  const auto of = [](const Scan& scan, const CloudFile& file) {
+    return nearest_colours(scan.cloud, file.cloud, colours_of(file));
+  };
+  return {of(run.prepared.source, run.source_as_read), of(run.prepared.target, run.target_as_read)};
 }
 
 AlignRun register_files(const AlignArguments& arguments, StepLine& line) {
@@ -68,14 +86,13 @@ AlignRun register_files(const AlignArguments& arguments, StepLine& line) {
   begin("reading", "reading " + arguments.source + " and " + arguments.target);
   report.with_history = arguments.trace;
   const Stopwatch reading;
-  InputOptions of_source = arguments.input, of_target = arguments.input;
-  of_target.read.keep_fields = !arguments.mcap.empty();
-  of_source.read.keep_fields = !arguments.output.empty() || !arguments.mcap.empty();
-  Input source_read = read_input(arguments.source, of_source, arguments.source_image);
-  Input target_read = read_input(arguments.target, of_target, arguments.target_image);
-  if (of_source.read.keep_fields) run.source_as_read = as_read(source_read);
-  if (of_target.read.keep_fields) run.target_as_read = as_read(target_read);
-  Scan source = std::move(source_read.scan), target = std::move(target_read.scan);
+  const bool has_page = !arguments.page.empty(), has_mcap = !arguments.mcap.empty();
+  auto [source, source_as_read] = read_file(arguments.source, arguments.input, arguments.source_image,
+                                            has_page || has_mcap || !arguments.output.empty());
+  auto [target, target_as_read] =
+      read_file(arguments.target, arguments.input, arguments.target_image, has_page || has_mcap);
+  run.source_as_read = std::move(source_as_read);
+  run.target_as_read = std::move(target_as_read);
   report.timing_ms.read = reading.elapsed_ms();
   warn_of_units(source.cloud, target.cloud);
   const Stopwatch preparing;
@@ -113,6 +130,10 @@ void write_files(const AlignArguments& arguments, AlignRun& run, StepLine& line)
   const Rigid3& pose = report.result.target_from_source;
   if (!arguments.json.empty()) write_json(arguments.json, to_json(report));
   if (!arguments.transform.empty()) write_whole([&] { write_transform(arguments.transform, pose); });
+  if (!arguments.page.empty()) {
+    line.show("report", "writing " + arguments.page);
+    write_text_file(arguments.page, align_page({report, run.initial, run.prepared, seen_colours(run)}));
+  }
   run.source_as_read.cloud = transform(run.source_as_read.cloud, pose);
   if (!arguments.output.empty()) {
     line.show("output", "writing " + arguments.output);
@@ -121,10 +142,6 @@ void write_files(const AlignArguments& arguments, AlignRun& run, StepLine& line)
   if (!arguments.mcap.empty()) {
     line.show("mcap", "writing " + arguments.mcap);
     write_align_mcap(arguments.mcap, report, run.source_as_read, run.target_as_read);
-  }
-  if (!arguments.page.empty()) {
-    line.show("report", "writing " + arguments.page);
-    write_text_file(arguments.page, align_page({report, run.initial, run.prepared}));
   }
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,12 +12,12 @@
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/progress.h"
 #include "apps/augicp/command/table_options.h"
+#include "apps/augicp/page/nearest_rows.h"
 #include "augicp/core/error.h"
 #include "augicp/io/field_layout.h"
 #include "augicp/io/write_cloud.h"
 #include "augicp/registration/option_table.h"
 #include "augicp/registration/registration.h"
-#include "augicp/search/kd_tree.h"
 
 namespace augicp::app {
 namespace {
@@ -49,20 +48,9 @@ double percent(const Cloud& cloud, Structure structure) {
   return cloud.empty() ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(cloud.size());
 }
 
-// The fields of the point nearest to each point of the output, which is the mean of several.
-PointFields fields_of_nearest(const Cloud& output, const Cloud& input, const PointFields& fields) {
-  const KdTree tree(input);
-  std::vector<std::uint32_t> rows;
-  for (const Vec3f& point : output.points) {
-    const Vec3f query = (output.origin - input.origin + point.cast<double>()).cast<float>();
-    rows.push_back(tree.nearest(query, std::numeric_limits<float>::infinity()).value_or(Neighbour{}).index);
-  }
-  return select(fields, rows);
-}
-
 // The fields of the input, and the structure as colour unless they have a colour.
 PointFields output_fields(const Cloud& output, const Cloud& input, PointFields fields) {
-  if (!fields.fields.empty()) fields = fields_of_nearest(output, input, fields);
+  if (!fields.fields.empty()) fields = select(fields, nearest_rows(output, input));
   if (fields.find("red") || fields.find("rgb") || fields.find("rgba")) return fields;
   std::vector<Colour> colours(output.size(), colour_of(Structure::None));
   std::transform(output.structures.begin(), output.structures.end(), colours.begin(), colour_of);

@@ -25,11 +25,22 @@ std::vector<Value> chosen(const std::vector<Value>& values, const std::vector<st
   return kept;
 }
 
-nlohmann::ordered_json cloud_json(const Cloud& cloud, const std::vector<std::uint32_t>& indices, const Vec3f& centre) {
+// All red numbers, then the green and the blue ones.
+std::string packed_colours(const std::vector<Colour>& colours) {
+  std::vector<std::uint8_t> planes;
+  for (const std::size_t channel : {0, 1, 2})
+    for (const Colour& colour : colours) planes.push_back(colour[channel]);
+  return packed_bytes(planes);
+}
+
+// colours: of all points, or empty.
+nlohmann::ordered_json cloud_json(const Cloud& cloud, const std::vector<Colour>& colours,
+                                  const std::vector<std::uint32_t>& indices, const Vec3f& centre) {
   std::vector<Vec3f> points = chosen(cloud.points, indices);
   for (Vec3f& point : points) point -= centre;
   nlohmann::ordered_json json{{"points", packed_points(points)}};
   if (cloud.has_intensities()) json["intensities"] = packed_numbers(chosen(cloud.intensities, indices));
+  if (!colours.empty()) json["colours"] = packed_colours(chosen(colours, indices));
   if (!cloud.has_directions()) return json;
   std::vector<std::uint8_t> structures;
   for (const Structure structure : chosen(cloud.structures, indices))
@@ -85,9 +96,10 @@ PairedClouds with_at_most(std::size_t max_points, const AlignPicture& picture, c
                           const SurfaceDistances& distances) {
   const Cloud &source = picture.prepared.source.cloud, &target = picture.prepared.target.cloud;
   const auto source_indices = thinned_indices(source.size(), max_points);
-  PairedClouds clouds{cloud_json(source, source_indices, Vec3f::Zero()),
-                      cloud_json(target, thinned_indices(target.size(), max_points), frame.centre),
-                      {}};
+  PairedClouds clouds{
+      cloud_json(source, picture.colours.source, source_indices, Vec3f::Zero()),
+      cloud_json(target, picture.colours.target, thinned_indices(target.size(), max_points), frame.centre),
+      {}};
   clouds.source["distances"] = packed_numbers(chosen(distances.metres, source_indices));
   clouds.source["distance_directions"] = packed_directions(chosen(distances.directions, source_indices));
   return clouds;

@@ -9,6 +9,7 @@ export interface Cloud {
   directions: Int8Array<ArrayBuffer>; // three a point, 127 for 1
   structures: Uint8Array<ArrayBuffer>; // 0 none, 1 planar, 2 edge
   intensities: Float32Array<ArrayBuffer> | null; // NaN: unknown
+  colours: Uint8Array<ArrayBuffer> | null; // red, green and blue, three a point
   distances: Float32Array<ArrayBuffer> | null; // from the target's surface under the final pose, metres; NaN: no overlap
   distanceDirections: Int8Array<ArrayBuffer> | null; // in the page, three a point
 }
@@ -33,6 +34,12 @@ function reordered<Values extends Numbers>(values: Values, order: Uint32Array, w
   return made;
 }
 
+async function unpackedColours(base64: string): Promise<Uint8Array<ArrayBuffer>> {
+  const planes = await unpackedBytes(base64);
+  const count = planes.length / 3;
+  return new Uint8Array(planes.length).map((_, i) => planes[(i % 3) * count + Math.floor(i / 3)] ?? 0);
+}
+
 export async function cloudOf(data: CloudData): Promise<Cloud> {
   const points = await unpackedPoints(data.points);
   const count = points.length / 3;
@@ -47,6 +54,7 @@ export async function cloudOf(data: CloudData): Promise<Cloud> {
     directions: reordered(directions, order, 3),
     structures: reordered(structures, order, 1),
     intensities: await numbers(data.intensities),
+    colours: data.colours === undefined ? null : reordered(await unpackedColours(data.colours), order, 3),
     distances: await numbers(data.distances),
     distanceDirections: data.distance_directions === undefined ? null : reordered(await unpackedDirections(data.distance_directions), order, 3),
   };

@@ -21,6 +21,7 @@ function geometryOf(cloud: Cloud): BufferGeometry {
   geometry.setAttribute("direction", new BufferAttribute(cloud.directions, 3, true));
   geometry.setAttribute("structure", new BufferAttribute(cloud.structures, 1));
   geometry.setAttribute("intensity", new BufferAttribute(known(cloud.intensities, cloud.count), 1));
+  geometry.setAttribute("rgb", new BufferAttribute(cloud.colours ?? new Uint8Array(3 * cloud.count), 3, true));
   geometry.setAttribute("offSurface", new BufferAttribute(known(cloud.distances, cloud.count), 1));
   geometry.setAttribute("offDirection", new BufferAttribute(cloud.distanceDirections ?? new Int8Array(3 * cloud.count), 3, true));
   return geometry;
@@ -33,6 +34,7 @@ export class CloudPoints extends Points<BufferGeometry, ShaderMaterial> {
   constructor(readonly cloud: Cloud, private readonly plainColour: string, extent: number) {
     const values = {
       colouring: { value: 0 },
+      hasColours: { value: cloud.colours !== null },
       range: { value: new Vector2(0, 1) },
       palette: { value: null as Texture | null },
       up: { value: new Vector3(0, 0, 1) },

@@ -4,11 +4,12 @@
 export const kVertexShader = `
   attribute vec3 direction;
   attribute float structure, intensity, offSurface;
-  attribute vec3 offDirection;
+  attribute vec3 offDirection, rgb;
   uniform vec3 plain, planar, edge, none, up, boxLow, boxHigh;
   uniform vec2 range;
   uniform sampler2D palette;
   uniform mat4 finalPose;
+  uniform bool hasColours;
   uniform float colouring, pointSize, sizeFactor, pixels;
   varying vec3 colour;
   const float kFar = 1e14;
@@ -35,6 +36,7 @@ export const kVertexShader = `
     if (colouring == 2.0) colour = ofPalette(distanceNow(inPage.xyz));
     if (colouring == 3.0) colour = ofPalette(dot(inPage.xyz, up));
     if (colouring == 4.0) colour = ofPalette(intensity);
+    if (colouring == 5.0) colour = hasColours ? rgb : none;
     vec3 normal = mat3(viewMatrix) * mat3(modelMatrix) * direction;
     float facing = structure == 1.0 ? abs(dot(normalize(normal), normalize(inView.xyz))) : 0.7;
     colour *= colouring >= 2.0 ? 0.8 + 0.2 * facing : 0.35 + 0.65 * facing;

@@ -26,6 +26,7 @@ export interface CloudData {
   directions?: string;
   structures?: string; // 0 none, 1 planar, 2 edge
   intensities?: string;
+  colours?: string; // all red bytes, then the green and the blue ones
   distances?: string; // from the target's surface under the final pose, metres
   distance_directions?: string; // in which they are measured, in the page's frame
 }

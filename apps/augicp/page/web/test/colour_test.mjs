@@ -60,6 +60,40 @@ test("an intensity can be shown if it was compared", async () => {
   });
 });
 
+// Two squares, red and blue; what a page shows of them has these colours, and the one without stays grey.
+test("the colours of files can be shown", async () => {
+  const properties = ["x", "y", "z"].map((name) => `property float ${name}`).concat(["red", "green", "blue"].map((name) => `property uchar ${name}`));
+  const write = (name, rgb) => {
+    const rows = landscape(0).map((point) => [...point.map((value) => value.toFixed(5)), ...rgb].join(" "));
+    writeFileSync(join(folder, name), `ply\nformat ascii 1.0\nelement vertex ${rows.length}\n${properties.join("\n")}\nend_header\n${rows.join("\n")}\n`);
+  };
+  write("red.ply", [250, 10, 10]);
+  write("blue.ply", [10, 10, 250]);
+  writeFileSync(join(folder, "bare.xyz"), asText(landscape(0)));
+  const shown = async (page, hidden) => {
+    for (const name of ["Grid", hidden]) await page.getByRole("button", { name, exact: true }).click();
+    await colour(page, "colour of the file");
+    return ink(page);
+  };
+  const files = [report("coloured.html", ["align", "red.ply", "blue.ply"]), report("half.html", ["align", "bare.xyz", "blue.ply"])];
+  await inPage(browser, files[0], {}, async (page) => {
+    const { mean } = await shown(page, "Target");
+    assert.ok(mean[0] > 3 * mean[2], `${mean}`);
+  });
+  await inPage(browser, files[0], {}, async (page) => {
+    const { mean } = await shown(page, "Source");
+    assert.ok(mean[2] > 3 * mean[0], `${mean}`);
+  });
+  await inPage(browser, files[1], {}, async (page) => {
+    const { saturation } = await shown(page, "Target");
+    assert.ok(saturation[2] < 0.15, `${saturation}`);
+    assert.match(await page.locator(".view-legend").innerText(), /grey: no colour/);
+  });
+  await inPage(browser, pages.room, {}, async (page) => {
+    assert.ok(!(await page.getByLabel("Colour", { exact: true }).locator("option").allInnerTexts()).includes("colour of the file"));
+  });
+});
+
 test("every number has a sentence; no word of the code is left", () => inPage(browser, pages.room, {}, async (page) => {
   const facts = page.locator("section dl").first().locator("div");
   assert.ok((await facts.count()) >= 9);

@@ -5,7 +5,7 @@ import { settled } from "./browser.mjs";
 const overlays = ".gizmo, .scale-bar, .depth, .wheel-hint, .view-tools, .readout { visibility: hidden !important; }";
 
 // The box of all that is drawn on the ground of a view, as shares of its width and height: left, right, top, bottom; and the
-// mean place across of its topmost part and of its middle; the mean saturation in its three thirds, from the left.
+// mean place across of its topmost part and of its middle; the mean saturation in its three thirds, from the left, and the mean red, green and blue, 0 to 255.
 export async function ink(page, selector = ".view > canvas") {
   const style = await page.addStyleTag({ content: overlays });
   await settled(page);
@@ -38,6 +38,7 @@ export async function ink(page, selector = ".view > canvas") {
       right: (1 + places.reduce((most, x) => Math.max(most, x), 0)) / width,
       top: top / height,
       bottom: (bottom + 1) / height,
+      mean: [0, 1, 2].map((k) => rows.reduce((sum, row, y) => sum + row.reduce((part, x) => part + data[4 * (y * width + x) + k], 0), 0) / Math.max(1, places.length)),
       saturation: [0, 1, 2].map((third) => meanSaturation(third)),
       share: places.length / (width * height),
       topX: mean(top, at(0.06)),

@@ -23,7 +23,8 @@ export class Colours {
 
   constructor(private readonly scene: AlignScene) {
     const hasIntensities = [scene.source, scene.target].some(({ cloud }) => cloud.intensities !== null);
-    this.modes = kModes.filter(({ name }) => name !== "intensity" || hasIntensities);
+    const hasColours = [scene.source, scene.target].some(({ cloud }) => cloud.colours !== null);
+    this.modes = kModes.filter(({ name }) => (name !== "intensity" || hasIntensities) && (name !== "rgb" || hasColours));
     this.range = new RangeControl((range) => { this.setRange(range); });
     this.chooser = select("Colour", "What the colour of a point shows", this.modes.map(({ label }) => label), (index) => { this.show(this.modes[index]?.name ?? "cloud", null); });
     this.list = this.chooser.querySelector("select") as HTMLSelectElement;

@@ -4,7 +4,7 @@ import { lengthText, roundBelow } from "../stage/lengths";
 import { quantile } from "../stage/sampled";
 import { kSequential, kSigned, type Palette } from "./palette";
 
-export type ModeName = "cloud" | "distance" | "height" | "intensity" | "structure";
+export type ModeName = "cloud" | "distance" | "height" | "intensity" | "rgb" | "structure";
 
 export interface Mode {
   name: ModeName;
@@ -22,6 +22,7 @@ export const kModes: readonly Mode[] = [
   { name: "distance", label: "distance from the target's surface", code: 2, palette: kSigned, text: (value) => lengthText(value), grey: "no overlap, and the target" },
   { name: "height", label: "height", code: 3, palette: kSequential, text: (value) => lengthText(value), grey: "" },
   { name: "intensity", label: "intensity", code: 4, palette: kSequential, text: plain, grey: "unknown" },
+  { name: "rgb", label: "colour of the file", code: 5, palette: null, text: plain, grey: "no colour" },
   { name: "structure", label: "structure", code: 1, palette: null, text: plain, grey: "" },
 ];
 

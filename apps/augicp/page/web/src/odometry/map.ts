@@ -29,7 +29,7 @@ export function mapOf(odometry: OdometryData, kept: readonly Kept[]): Cloud {
   const count = parts.reduce((sum, { cloud }) => sum + (cloud?.count ?? 0), 0);
   const map: Cloud = {
     count, points: new Float32Array(3 * count), directions: new Int8Array(3 * count), structures: new Uint8Array(count),
-    intensities: new Float32Array(count), distances: null, distanceDirections: null,
+    intensities: new Float32Array(count), colours: null, distances: null, distanceDirections: null,
   };
   const order = spreadOrder(count);
   let next = 0;
