@@ -21,13 +21,14 @@ export async function launch() {
   return chromium.launch({ executablePath, args: flags });
 }
 
-// check(page) in a page of its own, with options of the browser's context, the hash of the address, and withoutWebGl, of which nothing may be loaded but the file, and no error logged.
+// check(page) in a page of its own, with options of the browser's context, the hash of the address, an initScript, and withoutWebGl, of which nothing may be loaded but the file, and no error logged.
 export async function inPage(browser, file, options, check) {
-  const { hash = "", withoutWebGl = false, ...given } = options;
+  const { hash = "", withoutWebGl = false, initScript = null, ...given } = options;
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...given });
   context.setDefaultTimeout(kPatience_ms);
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
+  if (initScript) await page.addInitScript(initScript);
   if (withoutWebGl) await page.addInitScript(() => {
     const { getContext } = window.HTMLCanvasElement.prototype;
     window.HTMLCanvasElement.prototype.getContext = function (kind, ...others) { return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...others); };
