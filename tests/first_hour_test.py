@@ -141,6 +141,21 @@ class WorkTest(unittest.TestCase):
                 finished = run(*words, "--voxel-size", voxel_size, "--radius", radius, "--max-memory", 0.03)
                 self.assertNotEqual(finished.returncode, 2, finished.stderr)
 
+    def test_what_was_written_is_named(self):
+        files = [self.folder / name for name in ("T.txt", "o.ply", "page.html")]
+        options = [word for pair in zip(("--transform", "--output", "--report"), files) for word in pair]
+        last = self.align(*options).stdout.splitlines()[-1]
+        self.assertTrue(last.startswith("written  "), last)
+        for file in files:
+            self.assertIn(str(file), last)
+        self.assertNotIn("written", self.align().stdout)
+        self.assertEqual(self.align(*options, "--quiet").stdout, "")
+        page = self.folder / "frames.html"
+        frames = run("odometry", DESK, "--camera", "tum-fr1", "--last", 3, "--output", self.folder / "o", "--report", page)
+        self.assertIn(str(page), frames.stdout.splitlines()[-1])
+        for printed, file in ((last, files[2]), (frames.stdout, page)):
+            self.assertEqual("no 3D views" in printed, "<script" not in file.read_text())
+
     def test_verbose_explains_the_lengths_and_the_end(self):
         finished = self.align("--verbose", "--json", "-", "--max-distance", 1)
         options = json.loads(finished.stdout)["options"]

@@ -157,6 +157,9 @@ int run_align(const AlignArguments& arguments) {
   if (arguments.verbose) fmt::print(stderr, "{}", decisions_text(report));
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   write_files(arguments, run, line);
+  line.hide();
+  const std::string written = written_text({arguments.json, arguments.transform, arguments.output}, arguments.page);
+  if (!arguments.quiet && arguments.json != "-" && !written.empty()) fmt::print("written  {}\n", written);
   return exit_code_for(report.result.status);
 }
 

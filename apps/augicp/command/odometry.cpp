@@ -135,8 +135,10 @@ std::string effective_config(CLI::App& command, const DepthSequence& sequence, c
   return effective_config(command, output);
 }
 
-void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, const std::string& files) {
+// in_folder: the folder and the files in it.
+void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, const std::string& in_folder) {
   if (arguments.json == "-") write_json("-", metrics_json(run));
+  const std::string files = written_text({in_folder, arguments.lidar.map}, arguments.page);
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}output     {}\n", summary_text(run), files);
 }
 

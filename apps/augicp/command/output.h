@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace augicp::app {
 
@@ -15,5 +16,9 @@ void write_text(const std::string& destination, const std::string& text);
 
 // The same for JSON, indented. Bytes that are not UTF-8 are replaced.
 void write_json(const std::string& destination, const nlohmann::ordered_json& json);
+
+// What was written, for people: files separated by commas, without empty names and "-". A report that lacks its 3D
+// views has the reason behind it.
+std::string written_text(const std::vector<std::string>& files, const std::string& report);
 
 }  // namespace augicp::app
