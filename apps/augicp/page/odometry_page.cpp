@@ -159,6 +159,7 @@ std::string odometry_page(const OdometryPicture& picture) {
                               {"has_truth", !view.truth.empty()},
                               {"truth", truth_lines(view)},
                               {"extent", view.extent},
+                              {"zero", numbers(view.centre)},
                               {"view", camera_json(view)}};
   return whole_page(head_of(picture.run), "odometry", body, charts, std::move(data));
 }

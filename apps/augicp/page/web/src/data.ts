@@ -84,6 +84,7 @@ export interface OdometryData {
   has_truth: boolean;
   truth: string; // packed points, two a line
   extent: number;
+  zero: [number, number, number]; // of the page in the ground truth's frame, or in the world without one, metres
   view: ViewData;
 }
 

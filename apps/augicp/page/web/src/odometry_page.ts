@@ -13,6 +13,10 @@ import { unpackedBytes } from "./packed";
 import { Vector3 } from "three";
 import { makeSteps } from "./steps";
 import { markStrip, markTopView } from "./svg_marks";
+import { pictureTools } from "./tools/picture_tools";
+import { pointSize } from "./tools/point_size";
+import { Probe } from "./tools/probe";
+import { Section } from "./tools/section";
 
 // The last one kept up to a frame.
 function keptAt(kept: readonly Kept[], frame: number): Kept | null {
@@ -44,8 +48,10 @@ function frameAt(odometry: OdometryData, time: number): number {
   return distances.indexOf(Math.min(...distances));
 }
 
-function controls(odometry: OdometryData, scene: OdometryScene, key: HTMLElement): HTMLElement {
+function controls(odometry: OdometryData, scene: OdometryScene, key: HTMLElement, stage: HTMLElement): HTMLElement {
   const row = element("div", "toggles");
+  const section = new Section(scene, scene.points);
+  scene.viewer.element.append(new Probe(scene, section).element);
   const up = new Vector3(...odometry.view.up);
   const seen = odometry.lidar ? "Scan" : "Local model";
   row.append(
@@ -60,8 +66,11 @@ function controls(odometry: OdometryData, scene: OdometryScene, key: HTMLElement
       key.replaceChildren(...legend(odometry, colour));
     }),
   );
+  row.append(pointSize((factor) => { scene.sizeFactor = factor; }), ...pictureTools(scene.viewer, stage, "odometry.png"));
   key.replaceChildren(...legend(odometry, "one colour"));
-  return row;
+  const tools = element("div", "tools");
+  tools.append(row, section.element);
+  return tools;
 }
 
 export async function showOdometry(odometry: OdometryData, charts: ChartData[], stage: HTMLElement): Promise<void> {
@@ -89,6 +98,6 @@ export async function showOdometry(odometry: OdometryData, charts: ChartData[], 
   const strip = markStrip(odometry.frames.length, (frame) => { steps.show(frame); });
   const key = element("div", "view-legend");
   stage.append(key, steps.element);
-  if (scene) stage.append(controls(odometry, scene, key));
+  if (scene) stage.append(controls(odometry, scene, key, stage));
   steps.show(odometry.frames.length - 1);
 }

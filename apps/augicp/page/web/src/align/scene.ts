@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Both clouds and what is drawn between them.
-import type { Group, LineSegments } from "three";
+import { type Group, type LineSegments, Vector3 } from "three";
 import type { Cloud } from "../cloud";
 import { CloudPoints } from "../cloud_points";
 import { type AlignData, isFinitePose } from "../data";
@@ -8,13 +8,16 @@ import { directionLines } from "../direction_lines";
 import { freeArrows } from "../free_arrows";
 import { PairLines } from "../pair_lines";
 import { unpackedPoints } from "../packed";
+import { lengthText } from "../stage/lengths";
 import { Viewer } from "../stage/viewer";
 import { Survey } from "../survey";
 import { cloudOf } from "../cloud";
+import type { Picked } from "../tools/pick";
+import { type Bounds, coordinates, kStructures, type Probed } from "../tools/probed";
 
 const kIdentity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-export class AlignScene {
+export class AlignScene implements Probed {
   readonly viewer: Viewer;
   readonly survey: Survey;
   readonly source: CloudPoints;
@@ -43,6 +46,38 @@ export class AlignScene {
     return new AlignScene(data, source, target, pairs);
   }
 
+  get clouds(): readonly CloudPoints[] {
+    return [this.target, this.source];
+  }
+
+  get zero(): readonly number[] {
+    return this.data.zero;
+  }
+
+  set box(box: Bounds) {
+    this.source.box = this.target.box = box;
+    this.viewer.invalidate();
+  }
+
+  set sizeFactor(factor: number) {
+    this.source.sizeFactor = this.target.sizeFactor = factor;
+    this.viewer.invalidate();
+  }
+
+  describe({ points, index, place }: Picked): string[] {
+    const isSource = points === this.source;
+    const lines = [
+      `${isSource ? "Source" : "Target"} point, ${kStructures[points.cloud.structures[index] ?? 0] ?? ""}`,
+      `target frame ${coordinates(place.clone().add(new Vector3(...this.data.zero)))}`,
+    ];
+    if (isSource) lines.push(`source frame ${coordinates(this.inSource(place))}`);
+    const distance = points.cloud.distances?.[index] ?? NaN;
+    if (!Number.isNaN(distance)) lines.push(`${lengthText(distance)} from the target's surface, at the end`);
+    const intensity = points.cloud.intensities?.[index] ?? NaN;
+    if (!Number.isNaN(intensity)) lines.push(`intensity ${Number(intensity.toPrecision(4))}`);
+    return lines;
+  }
+
   poseAt(step: number): readonly number[] {
     const pose = this.data.poses[step];
     return isFinitePose(pose) ? pose : kIdentity;
@@ -52,6 +87,11 @@ export class AlignScene {
     this.source.pose = this.pairs.pose = pose;
     this.directions[0].matrix.fromArray(pose);
     this.directions[0].matrixWorldNeedsUpdate = true;
+  }
+
+  // By the pose that is shown.
+  private inSource(place: Vector3): Vector3 {
+    return place.clone().applyMatrix4(this.source.matrix.clone().invert()).add(new Vector3(...this.data.source_zero));
   }
 
   showStep(step: number): void {

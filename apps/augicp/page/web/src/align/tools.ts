@@ -4,26 +4,13 @@ import { button, element, select, toggle } from "../dom";
 import type { Steps } from "../steps";
 import { keepLink, numbersOf, numbersText, readLink, restoreCamera } from "../tools/link";
 import { pictureTools } from "../tools/picture_tools";
+import { pointSize } from "../tools/point_size";
 import { Probe } from "../tools/probe";
 import { Section } from "../tools/section";
 import type { ModeName } from "../colour/modes";
 import type { Colours } from "./colours";
 import { layerToggles } from "./layers";
 import type { AlignScene } from "./scene";
-
-function pointSize(scene: AlignScene): HTMLElement {
-  const slider = element("input");
-  slider.type = "range";
-  [slider.min, slider.max, slider.step, slider.value] = ["0.3", "4", "0.1", "1"];
-  slider.setAttribute("aria-label", "Point size");
-  slider.addEventListener("input", () => {
-    scene.source.sizeFactor = scene.target.sizeFactor = Number(slider.value);
-    scene.viewer.invalidate();
-  });
-  const holder = element("label", "select", "Size");
-  holder.append(slider);
-  return holder;
-}
 
 // The guess on the left, the step that is shown on the right.
 function sideBySide(scene: AlignScene): HTMLButtonElement {
@@ -44,7 +31,7 @@ export class AlignTools {
     const layers = layerToggles(scene);
     layers.append(sideBySide(scene));
     const view = element("div", "toggles");
-    view.append(colours.chooser, pointSize(scene), up, button("Fit", "Show all (0, or a double click)", () => { viewer.reset(); }), ...pictureTools(viewer, stage, "alignment.png"));
+    view.append(colours.chooser, pointSize((factor) => { scene.sizeFactor = factor; }), up, button("Fit", "Show all (0, or a double click)", () => { viewer.reset(); }), ...pictureTools(viewer, stage, "alignment.png"));
     this.element.append(layers, view, this.section.element);
     this.setUp(0);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A box along the target's axes: what lies outside is not drawn. Thin in one axis, it is a section.
+// A box along the axes of the frame: what lies outside is not drawn. Thin in one axis, it is a section.
 import { Box3, Vector3 } from "three";
-import type { AlignScene } from "../align/scene";
 import { Span } from "../colour/span";
 import { button, element } from "../dom";
 import { lengthText } from "../stage/lengths";
+import type { Probed } from "./probed";
 
 const kNames = ["x", "y", "z"] as const;
 
@@ -14,7 +14,7 @@ export class Section {
   private readonly box: Box3;
   private readonly spans: Span[];
 
-  constructor(private readonly scene: AlignScene, points: readonly Vector3[]) {
+  constructor(private readonly scene: Probed, points: readonly Vector3[]) {
     this.whole = new Box3().setFromPoints([...points]).expandByScalar(1e-6);
     this.box = this.whole.clone();
     this.spans = kNames.map((name, axis) => new Span(`Section ${name}`, (low, high) => { this.cut(axis, low, high); }));
@@ -53,15 +53,13 @@ export class Section {
   private show(): void {
     this.spans.forEach((span, axis) => {
       const ends = (box: Box3): [number, number] => [box.min.getComponent(axis), box.max.getComponent(axis)];
-      span.show(ends(this.whole), ends(this.box), (value) => lengthText(value + (this.scene.data.zero[axis] ?? 0)));
+      span.show(ends(this.whole), ends(this.box), (value) => lengthText(value + (this.scene.zero[axis] ?? 0)));
     });
   }
 
   // Strays outside the sliders' reach are drawn as long as nothing is cut.
   private apply(): void {
     const far = new Vector3().setScalar(1e15);
-    const box = this.isWhole() ? { low: far.clone().negate(), high: far } : { low: this.box.min, high: this.box.max };
-    this.scene.source.box = this.scene.target.box = box;
-    this.scene.viewer.invalidate();
+    this.scene.box = this.isWhole() ? { low: far.clone().negate(), high: far } : { low: this.box.min, high: this.box.max };
   }
 }
