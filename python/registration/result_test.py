@@ -131,3 +131,15 @@ def test_sequences_iterate():
 def test_degrees_are_not_radians():
     with pytest.raises(augicp.ArgumentError, match="radians, not degrees"):
         augicp.align([[0.0, 0.0, 0.0]], [[0.0, 0.0, 0.0]], max_angle=45)
+
+
+def test_a_report_has_the_colours_of_the_clouds(tmp_path):
+    source, target = (augicp.read(ROOM / f"{name}.ply") for name in ("source", "target"))
+    coloured = augicp.Cloud(source.points, colors=np.full((len(source.points), 3), 200, dtype=np.uint8))
+    for number, (cloud, expected) in enumerate(((coloured, 1), (source, 0))):
+        page = tmp_path / f"{number}.html"
+        augicp.align(cloud, target).report(page)
+        text = page.read_text()
+        if "<script" not in text:
+            pytest.skip("the module was built without the script of the reports")
+        assert text.count('"colours":') == expected
