@@ -21,12 +21,17 @@ bool is_bag_file(const fs::path& path) {
   return extension == ".bag" || extension == ".mcap" || extension == ".db3";
 }
 
-// The parts of a folder of rosbag2, in the natural order of their names.
+// "rosbag2_0.db3.zstd"
+bool is_compressed_bag_file(const fs::path& path) {
+  return lower_case_extension(path) == ".zstd" && is_bag_file(path.stem());
+}
+
+// The parts of a folder of rosbag2, compressed ones too, in the natural order of their names.
 std::vector<fs::path> parts_of(const fs::path& folder) {
   std::vector<fs::path> parts;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (is_bag_file(entry->path())) parts.push_back(entry->path());
+    if (is_bag_file(entry->path()) || is_compressed_bag_file(entry->path())) parts.push_back(entry->path());
   if (error) throw io_error(folder, "cannot be listed: " + error.message());
   std::sort(parts.begin(), parts.end(), [](const fs::path& a, const fs::path& b) {
     return naturally_before(a.filename().string(), b.filename().string());
@@ -34,9 +39,22 @@ std::vector<fs::path> parts_of(const fs::path& folder) {
   return parts;
 }
 
+// Without compressed parts that are there uncompressed too. Throws IoError for others: no part is left out.
+std::vector<fs::path> readable_parts(const fs::path& folder) {
+  std::vector<fs::path> parts = parts_of(folder);
+  std::erase_if(parts, [](const fs::path& part) {
+    std::error_code ignored;
+    if (!is_compressed_bag_file(part)) return false;
+    if (!fs::exists(fs::path(part).replace_extension(), ignored))
+      throw io_error(part, "is compressed as a whole; first run 'zstd -d " + part.string() + "'");
+    return true;
+  });
+  return parts;
+}
+
 std::vector<fs::path> files_of(const fs::path& bag) {
   std::error_code ignored;
-  return fs::is_directory(bag, ignored) ? parts_of(bag) : std::vector<fs::path>{bag};
+  return fs::is_directory(bag, ignored) ? readable_parts(bag) : std::vector<fs::path>{bag};
 }
 
 std::unique_ptr<MessageSource> opened(const fs::path& path) {

@@ -125,6 +125,22 @@ TEST(Bag, WhatIsNotReadIsSaid) {
   EXPECT_THROW(bag_topics(folder / "nothing.bag"), IoError);
 }
 
+TEST(Bag, NoCompressedPartIsLeftOut) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "metadata.yaml", "rosbag2_bagfile_information:\n");
+  write_file(folder / "bag_0.mcap", testing::mcap());
+  write_file(folder / "bag_1.mcap.zstd", "(");
+  EXPECT_TRUE(is_bag(folder.path()));
+  try {
+    bag_topics(folder.path());
+    FAIL() << "a part was left out";
+  } catch (const IoError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bag_1.mcap.zstd: is compressed as a whole; first run 'zstd -d "));
+  }
+  write_file(folder / "bag_1.mcap", testing::mcap());
+  EXPECT_EQ(bag_topics(folder.path())[1].num_messages, 4u);
+}
+
 TEST(Bag, CompressedChunksHoldTheSame) {
   const testing::TemporaryFolder folder;
   for (const char* compression : {"lz4", "zstd"}) {

@@ -31,6 +31,8 @@ struct Advice {
 // Formats that people have, and how to make one that is read.
 constexpr Advice kAdvice[] = {{".e57", "pdal translate IN.e57 OUT.ply"},
                               {".asc", "rename it to .xyz"},
+                              {".zstd", "zstd -d FILE"},
+                              {".zst", "zstd -d FILE"},
                               {".jpg", "depth images are 16-bit .png; a .jpg has lost its depths"}};
 
 std::string advice_for(std::string_view extension) {
