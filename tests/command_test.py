@@ -335,6 +335,9 @@ class CommandTest(unittest.TestCase):
         self.assertEqual([(topic["name"], topic["num_messages"]) for topic in info["topics"]], [("/more_points", 1), ("/points", 3), ("/words", 1)])
         self.assertIn("which --topic? It has /more_points (1), /points (3)", run("unpack", bag).stderr)
         scans = self.folder / "scans"
+        watched = run("unpack", bag, "--topic", "/points", "--output", scans.with_name("watched"), "--progress", "json")
+        reports = [json.loads(line) for line in watched.stderr.splitlines() if line.startswith("{")]
+        self.assertEqual([(report["done"], report["total"]) for report in reports], [(1, 3), (2, 3), (3, 3)])
         finished = run("unpack", bag, "--topic", "/points", "--output", scans)
         self.assertEqual(finished.returncode, 0, finished.stderr)
         self.assertIn("message 1: holds no points", finished.stderr)

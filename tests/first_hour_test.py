@@ -128,6 +128,13 @@ class WorkTest(unittest.TestCase):
         self.assertTrue(several)
         self.assertTrue(all(step["done"] < step["total"] for step in several))
 
+    def test_progress_of_the_other_commands(self):
+        self.assertEqual([json.loads(line)["step"] for line in run("info", ROOM / "source.ply", "--progress", "json").stderr.splitlines()], ["reading"])
+        page = self.folder / "page.html"
+        finished = run("odometry", DESK, "--camera", "tum-fr1", "--last", 2, "--output", self.folder / "o", "--report", page, "--progress", "json")
+        lines = [json.loads(line) for line in finished.stderr.splitlines()]
+        self.assertEqual([line.get("step", line.get("done")) for line in lines], [1, 2, "report"])
+
     def test_too_much_memory_is_refused_before_the_work(self):
         """A small bound in the place of a large cloud. What the message advises then works, with each command."""
         for words in (("align", ROOM / "source.ply", ROOM / "target.ply"),

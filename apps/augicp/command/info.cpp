@@ -8,6 +8,7 @@
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/output.h"
+#include "apps/augicp/command/progress.h"
 #include "augicp/io/bag.h"
 #include "augicp/registration/registration.h"
 
@@ -17,6 +18,7 @@ namespace {
 struct InfoArguments {
   std::string file, json;
   InputOptions input;
+  Progress progress = Progress::Auto;
 };
 
 nlohmann::ordered_json info_json(const std::string& file, const Input& input) {
@@ -77,8 +79,11 @@ std::string info_text(const nlohmann::ordered_json& info) {
 int run_info(const InfoArguments& arguments) {
   require_use_of_camera(arguments.input, {arguments.file});
   const bool is_recording = is_bag(arguments.file);
+  StepLine line(arguments.progress);
+  line.show("reading", "reading " + arguments.file);
   const nlohmann::ordered_json info =
       is_recording ? bag_json(arguments.file) : info_json(arguments.file, read_input(arguments.file, arguments.input));
+  line.hide();
   if (!arguments.json.empty()) write_json(arguments.json, info);
   if (arguments.json != "-") fmt::print("{}", is_recording ? bag_text(info) : info_text(info));
   return kSuccess;
@@ -92,6 +97,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   command->add_option("file", arguments->file, "A cloud, a depth image or a recording")->required();
   add_input_options(*command, arguments->input);
   command->add_option("--json", arguments->json, "Write it as JSON to a file, or to stdout with -")->group("Output");
+  add_progress_option(*command, arguments->progress);
   command->footer(
       "Examples:\n"
       "  augicp info scan.ply\n"

@@ -135,6 +135,13 @@ std::string effective_config(CLI::App& command, const DepthSequence& sequence, c
   return effective_config(command, output);
 }
 
+void write_page(const OdometryArguments& arguments, const OdometryPicture& picture) {
+  if (arguments.page.empty()) return;
+  StepLine line(arguments.quiet ? Progress::None : arguments.progress);
+  line.show("report", "writing " + arguments.page);
+  write_text_file(arguments.page, odometry_page(picture));
+}
+
 // in_folder: the folder and the files in it.
 void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, const std::string& in_folder) {
   if (arguments.json == "-") write_json("-", metrics_json(run));
@@ -200,7 +207,7 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::
       scans.push_back(kept_scan(row, report.world_from_camera, scan));
   };
   const OdometryRun run = run_lidar_odometry(input, lidar);
-  if (!arguments.page.empty()) write_text_file(arguments.page, odometry_page({run, scans}));
+  write_page(arguments, {run, scans});
   report_to_user(
       run, arguments,
       folder.string() + ": trajectory.txt poses_kitti.txt metrics.json frames.csv covariances.csv config.toml");
@@ -239,7 +246,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
     write_json((folder / "metrics.json").string(), metrics_json(run));
   });
   const double depth_scale = arguments.depth_scale.value_or(sequence.depth_scale);
-  if (!arguments.page.empty()) write_text_file(arguments.page, odometry_page({run, models, &sequence, depth_scale}));
+  write_page(arguments, {run, models, &sequence, depth_scale});
   if (!arguments.mcap.empty()) write_depth_mcap(arguments.mcap, run, sequence, camera, depth_scale);
   report_to_user(run, arguments, folder.string() + ": trajectory.txt metrics.json frames.csv config.toml");
   return exit_code_for(run);

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/progress.h"
 #include "apps/augicp/command/topics.h"
 #include "augicp/core/error.h"
 #include "augicp/io/atomic_file.h"
@@ -23,6 +25,7 @@ namespace fs = std::filesystem;
 
 struct UnpackArguments {
   std::string bag, topic, output;
+  Progress progress = Progress::Auto;
   bool quiet = false;
 };
 
@@ -39,14 +42,18 @@ fs::path made_folder(const UnpackArguments& arguments) {
 }
 
 int run_unpack(const UnpackArguments& arguments) {
-  const std::string topic = chosen_topic(arguments.bag, arguments.topic, {kPointCloud2}).name;
+  const StampedTopic chosen = chosen_topic(arguments.bag, arguments.topic, {kPointCloud2});
+  const std::string& topic = chosen.name;
   const fs::path folder = made_folder(arguments);
   ReadOptions options;
   options.keep_fields = true;
   std::string times;
   std::size_t num_messages = 0, num_written = 0;
+  std::optional<ProgressBar> bar(std::in_place, chosen.stamps_s.size(), "clouds",
+                                 arguments.quiet ? Progress::None : arguments.progress);
   visit_messages(arguments.bag, [&](const BagMessage& message) {
     if (message.topic != topic) return true;
+    bar->advance();
     const fs::path source = message_name(arguments.bag, topic, num_messages++);
     try {
       const PointCloud2 read = parse_point_cloud2(source, message.data, message.form, options);
@@ -59,6 +66,7 @@ int run_unpack(const UnpackArguments& arguments) {
     }
     return true;
   });
+  bar.reset();
   if (num_written == 0) throw IoError(fmt::format("{}: no message of {} has points", arguments.bag, topic));
   write_whole([&] { write_file(folder / "times.txt", times); });
   if (!arguments.quiet)
@@ -78,6 +86,7 @@ void add_unpack_command(CLI::App& app, int& exit_code) {
       ->group("Input");
   command->add_option("--output", arguments->output, "New or empty folder for scans and times.txt (default: BAG_scans)")
       ->group("Output");
+  add_progress_option(*command, arguments->progress);
   command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");
   command->footer(
       "Every scan becomes a .pcd with all its fields; times.txt has their stamps in seconds.\n"
