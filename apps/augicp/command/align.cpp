@@ -134,6 +134,7 @@ void write_files(const AlignArguments& arguments, AlignRun& run, StepLine& line)
     line.show("report", "writing " + arguments.page);
     write_text_file(arguments.page, align_page({report, run.initial, run.prepared, seen_colours(run)}));
   }
+  if (arguments.output.empty() && arguments.mcap.empty()) return;
   run.source_as_read.cloud = transform(run.source_as_read.cloud, pose);
   if (!arguments.output.empty()) {
     line.show("output", "writing " + arguments.output);
@@ -158,7 +159,8 @@ int run_align(const AlignArguments& arguments) {
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", to_text(report));
   write_files(arguments, run, line);
   line.hide();
-  const std::string written = written_text({arguments.json, arguments.transform, arguments.output}, arguments.page);
+  const std::string written =
+      written_text({arguments.json, arguments.transform, arguments.output, arguments.mcap}, arguments.page);
   if (!arguments.quiet && arguments.json != "-" && !written.empty()) fmt::print("written  {}\n", written);
   return exit_code_for(report.result.status);
 }
