@@ -10,6 +10,7 @@
 #include "augicp/testing/poses.h"
 #include "augicp/testing/room_pair.h"
 #include "augicp/testing/scenes.h"
+#include "augicp/trust/beyond_planes.h"
 
 namespace augicp {
 namespace {
@@ -96,6 +97,29 @@ TEST(Judge, CloudsKnowTheirFreeSpaceFromTheirSensorOnly) {
   EXPECT_FALSE(evidence.source_in_target.knows_free_space);
   EXPECT_FALSE(evidence.target_in_source.knows_free_space);
   EXPECT_EQ(evidence.source_in_target.count.conflict, 0);
+}
+
+// The same walls, but what stands before them is elsewhere.
+Scan refurnished(const Scan& scan, const Lengths& lengths) {
+  Cloud cloud = prepare(scan, lengths, {}).cloud;
+  const std::vector<bool> is_on_plane = on_large_planes(cloud, 0.5 * lengths.radius);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (!is_on_plane[i]) cloud.points[i] += Vec3f(0.4f, 0.3f, 0.2f);
+  cloud.directions.clear();
+  cloud.structures.clear();
+  return scan_of(std::move(cloud));
+}
+
+TEST(Judge, WallsAloneThatAgreeAreNoticedWhereFreeSpaceIsUnknown) {
+  const Pair pair = near_pair();
+  const Rigid3 away{rotation_exp({0.2, 0.1, 0.3}), {0.5, -0.3, -1.5}};
+  const auto moved = [&](const Scan& scan) { return scan_of(transform(as_cloud(scan).cloud, away)); };
+  Pair elsewhere{moved(pair.source), moved(pair.target), away * pair.target_from_source * inverse(away)};
+  const Evidence right = evidence_at(elsewhere, elsewhere.target_from_source);
+  EXPECT_GT(std::max(right.source_in_target.off_planes, right.target_in_source.off_planes), 0.87);
+  elsewhere.source = refurnished(elsewhere.source, derive_lengths(elsewhere.source, elsewhere.target));
+  const Evidence wrong = evidence_at(elsewhere, elsewhere.target_from_source);
+  EXPECT_LT(std::max(wrong.source_in_target.off_planes, wrong.target_in_source.off_planes), 0.75);
 }
 
 // What the clouds' own sensors saw through speaks against a wrong pose as a depth image does, and not against the right
