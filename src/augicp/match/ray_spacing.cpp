@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "augicp/core/median.h"
@@ -35,7 +36,7 @@ std::vector<std::uint16_t> cells_of(const Cloud& cloud, const Vec3f& place) {
   return cells;
 }
 
-// Every so-many-th cell that has points.
+// Cells that have points, spread evenly over all of them.
 std::vector<char> chosen_cells(const std::vector<std::uint16_t>& cells) {
   std::vector<char> is_chosen(num_cube_cells(kCellsPerEdge));
   for (const std::uint16_t cell : cells)

@@ -13,8 +13,8 @@ inline Vec3f assumed_place(const Cloud& cloud) { return cloud.viewpoint.value_or
 
 // How evenly the directions from a place (relative to the cloud's origin, metres) to a cloud's points are spaced: the
 // 2nd percentile of the angles to the nearest other direction, divided by their median; in [0, 1]. Directions at random
-// have 0.17, the rays of most sensors 0.7 to 1. Some of the cloud's directions
-// are asked. 0 for fewer than two. For a cloud as its sensor gave it: of a thinned one the rays are no longer even.
+// have 0.17, the rays of most sensors 0.7 to 1. Some of the cloud's directions are asked. 0 for fewer than two. For a
+// cloud as its sensor gave it: the rays of a thinned one are no longer even.
 double evenness_of_rays(const Cloud& cloud, const Vec3f& place);
 
 // Whether a cloud's points lie on the rays of a sensor at its assumed place.
