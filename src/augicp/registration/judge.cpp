@@ -160,7 +160,8 @@ bool is_supported(const AlignResult& judged) {
 bool is_better(const AlignResult& judged, const AlignResult& than_judged) {
   if (!judged.evidence || !than_judged.evidence) return judged.evidence.has_value();
   if (is_supported(judged) != is_supported(than_judged)) return is_supported(judged);
-  return strain(*judged.evidence) < strain(*than_judged.evidence);
+  const auto badness = [](const Evidence& evidence) { return std::pair(excess(evidence), strain(evidence)); };
+  return badness(*judged.evidence) < badness(*than_judged.evidence);
 }
 
 }  // namespace augicp

@@ -87,6 +87,12 @@ double strain(const Evidence& evidence, const VerdictLimits& limits) {
   return *std::max_element(all.begin(), all.end());
 }
 
+double excess(const Evidence& evidence, const VerdictLimits& limits) {
+  double sum = 0.0;
+  for (const double ratio : strains(evidence, limits)) sum += std::max(ratio - 1.0, 0.0);
+  return sum;
+}
+
 Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimits& limits) {
   Verdict verdict{reached, {}};
   const auto all = strains(evidence, limits);

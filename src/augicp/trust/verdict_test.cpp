@@ -43,6 +43,25 @@ TEST(Verdict, EachSideAloneCanRaiseEachDoubt) {
     }
 }
 
+TEST(Verdict, ExcessCountsEachDoubtAndNothingElse) {
+  EXPECT_EQ(excess(good_evidence()), 0.0);
+  Evidence one = good_evidence();
+  one.source_in_target.contradicting = 1.5 * VerdictLimits{}.max_contradicting;
+  EXPECT_NEAR(excess(one), 0.5, 1e-12);
+  Evidence two = one;
+  two.target_in_source.count = {.agree = 550, .conflict = 50, .unseen = 400};
+  EXPECT_GT(excess(two), excess(one));
+}
+
+// A moving car is in the free space of the other scan: one limit is far exceeded, all else agrees.
+TEST(Verdict, APoseWithOneDoubtIsBetterThanOneWithTwoLesserOnes) {
+  Evidence car = good_evidence(), wrong = good_evidence();
+  car.source_in_target.count = {.agree = 900, .conflict = 72, .unseen = 28};
+  wrong.source_in_target.count = {.agree = 750, .differ = 180, .conflict = 70};
+  ASSERT_LT(strain(wrong), strain(car));
+  EXPECT_LT(excess(car), excess(wrong));
+}
+
 TEST(Verdict, APartThatContradictsIsADoubtOnEachSide) {
   for (Testimony Evidence::*side : {&Evidence::source_in_target, &Evidence::target_in_source}) {
     Evidence evidence = good_evidence();
