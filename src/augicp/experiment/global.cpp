@@ -6,6 +6,7 @@
 #include "augicp/core/check.h"
 #include "augicp/core/median.h"
 #include "augicp/experiment/random.h"
+#include "augicp/match/ray_spacing.h"
 #include "augicp/registration/registration.h"
 
 namespace augicp {
@@ -26,8 +27,9 @@ Rigid3 motion_anywhere(std::mt19937& generator, double distance_m) {
 GlobalOutcome registered(const GlobalPair& pair, std::mt19937& generator, const GlobalOptions& options,
                          const std::function<double()>& now_ms) {
   const Rigid3 motion = motion_anywhere(generator, robust_extent(scan_of(*pair.target)));
-  Cloud source = transform(*pair.source, motion);
-  source.viewpoint.reset();
+  Cloud placed = *pair.source;
+  placed.viewpoint = assumed_place(placed);
+  Cloud source = transform(placed, motion);
   const double begin_ms = now_ms();
   const AlignResult result =
       register_scans(scan_of(std::move(source)), scan_of(*pair.target), {}, options.registration).result;

@@ -39,8 +39,8 @@ struct GlobalOutcome {
   double time_ms = 0.0;  // of preparation and registration, by the clock that is given
 };
 
-// The source of each pair is moved by a random rotation and translation first, and its viewpoint is forgotten. now_ms:
-// a clock. on_pair is called after each registration.
+// The source of each pair is moved by a random rotation and translation first, and the place of its sensor with it.
+// now_ms: a clock. on_pair is called after each registration.
 std::vector<GlobalOutcome> run_global(std::span<const GlobalPair> pairs, const GlobalOptions& options,
                                       const std::function<double()>& now_ms, const std::function<void()>& on_pair);
 
