@@ -1,78 +1,84 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/match/ray_spacing.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "augicp/core/median.h"
-#include "augicp/match/cube_cells.h"
-#include "augicp/search/kd_tree.h"
+#include "augicp/match/range_image.h"
 
 namespace augicp {
 namespace {
 
-// Whole cells of directions are looked at, which leaves the spacing within them as it is: of 3 degrees, wide beside the
-// steps of any sensor, and as many as have this number of points.
-constexpr int kCellsPerEdge = 32;
-constexpr std::size_t kNumKept = 8000, kMaxKept = 2 * kNumKept, kNumAsked = 2000;
+constexpr double kLowQuantile = 0.02, kUsualQuantile = 0.2;
 
-constexpr double kLowQuantile = 0.02;
+// Patches whose ranges differ by less say nothing of their exponent.
+constexpr double kMinRangeRatio = 1.25;
+constexpr std::size_t kMinSlopes = 20;
 
-// Generated spinning LiDARs have 0.93 and more, a solid-state one 0.73, clouds of depth cameras 0.85. Fused fragments
-// have up to 0.44. Scans of KITTI have 0.46, as their lines are not in step: their place is not known from the rays.
-constexpr double kMinEvenness = 0.6;
+// Generated sensors have 0.99 and more, depth cameras 1, HDL-32, VLP-16 and solid-state ones 0.92 to 0.98, HDL-64 0.89
+// to 0.94. Scans of one place added to those of another have 0.36 to 0.89, random directions 0.3.
+constexpr double kMinEvenness = 0.88;
+// Sensors have -0.06 to 0.14. Surfaces sampled evenly have -1, fused fragments of rooms -0.66 to -0.98.
+constexpr double kMaxGrowth = 0.3;
+// A sensor whose lines nearly meet has 0.05 to 0.08, two of its scans in one frame 0.39 and more.
+constexpr double kMaxShareBehind = 0.1;
 
-// The cell of each direction; none for a point at the place.
-constexpr std::uint16_t kNoCell = 0xffff;
-std::vector<std::uint16_t> cells_of(const Cloud& cloud, const Vec3f& place) {
-  std::vector<std::uint16_t> cells(cloud.size(), kNoCell);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Vec3f ray = cloud.points[i] - place;
-    if (ray.squaredNorm() > 0.0f) cells[i] = static_cast<std::uint16_t>(cell_of(on_cube(ray), kCellsPerEdge));
+float at_quantile(const std::vector<float>& values, double quantile) {
+  return value_at_rank(values, static_cast<std::size_t>(quantile * static_cast<double>(values.size())));
+}
+
+struct Logarithms {
+  double range, spacing;
+};
+
+std::vector<Logarithms> medians_of(std::span<const RayPatch> patches) {
+  std::vector<Logarithms> medians;
+  for (const RayPatch& patch : patches) {
+    std::vector<float> ranges;
+    for (const Vec3f& ray : patch.rays) ranges.push_back(ray.norm());
+    const float spacing = upper_median(patch.spacing);
+    if (spacing > 0.0f) medians.push_back({std::log(upper_median(ranges)), std::log(spacing)});
   }
-  return cells;
+  return medians;
 }
 
-// Cells that have points, spread evenly over all of them.
-std::vector<char> chosen_cells(const std::vector<std::uint16_t>& cells) {
-  std::vector<char> is_chosen(num_cube_cells(kCellsPerEdge));
-  for (const std::uint16_t cell : cells)
-    if (cell != kNoCell) is_chosen[cell] = 1;
-  const std::size_t step = (cells.size() + kNumKept - 1) / kNumKept;
-  std::size_t num_occupied = 0;
-  for (char& one : is_chosen)
-    if (one) one = num_occupied++ % step == 0;
-  return is_chosen;
-}
-
-// Unit directions as points, in the order of the cloud, which is mostly that of the sensor's rays.
-Cloud directions(const Cloud& cloud, const Vec3f& place) {
-  const std::vector<std::uint16_t> cells = cells_of(cloud, place);
-  const std::vector<char> is_chosen = chosen_cells(cells);
-  Cloud kept;
-  for (std::size_t i = 0; i < cloud.size() && kept.size() < kMaxKept; ++i)
-    if (cells[i] != kNoCell && is_chosen[cells[i]]) kept.points.push_back((cloud.points[i] - place).normalized());
-  return kept;
+// A point behind others of the sample is behind others of the scan.
+double share_behind(std::span<const RayPatch> patches, float tolerance) {
+  Cloud sample;
+  for (const RayPatch& patch : patches) sample.points.insert(sample.points.end(), patch.rays.begin(), patch.rays.end());
+  return RangeImage(sample, Vec3f::Zero()).share_behind(tolerance);
 }
 
 }  // namespace
 
-double evenness_of_rays(const Cloud& cloud, const Vec3f& place) {
-  const Cloud seen = directions(cloud, place);
-  if (seen.size() < 2) return 0.0;
-  const KdTree tree(seen);
-  const std::size_t step = (seen.size() + kNumAsked - 1) / kNumAsked;
-  std::vector<float> angles;
-  for (std::size_t i = 0; i < seen.size(); i += step)
-    angles.push_back(std::sqrt(tree.nearest_k(seen.points[i], 2).back().distance_sq));
-  const auto low = static_cast<std::size_t>(kLowQuantile * static_cast<double>(angles.size()));
-  const float median = upper_median(angles);
-  return median > 0.0f ? static_cast<double>(value_at_rank(std::move(angles), low) / median) : 0.0;
+double evenness(std::span<const RayPatch> patches) {
+  std::vector<float> ratios;
+  for (const RayPatch& patch : patches) {
+    const float usual = at_quantile(patch.spacing, kUsualQuantile);
+    ratios.push_back(usual > 0.0f ? at_quantile(patch.spacing, kLowQuantile) / usual : 0.0f);
+  }
+  return ratios.empty() ? 0.0 : static_cast<double>(upper_median(ratios));
 }
 
-bool is_one_sensors_scan(const Cloud& cloud) { return evenness_of_rays(cloud, assumed_place(cloud)) >= kMinEvenness; }
+// The median slope between two patches (Theil 1950, Sen 1968): a sensor's rows of different density are outliers.
+std::optional<double> growth_with_range(std::span<const RayPatch> patches) {
+  const std::vector<Logarithms> medians = medians_of(patches);
+  std::vector<double> slopes;
+  for (const Logarithms& one : medians)
+    for (const Logarithms& other : medians)
+      if (other.range - one.range > std::log(kMinRangeRatio))
+        slopes.push_back((other.spacing - one.spacing) / (other.range - one.range));
+  if (slopes.size() < kMinSlopes) return std::nullopt;
+  return upper_median(slopes);
+}
+
+bool is_one_sensors_scan(const Cloud& cloud, float tolerance) {
+  const std::vector<RayPatch> patches = ray_patches(cloud, assumed_place(cloud));
+  const std::optional<double> growth = growth_with_range(patches);
+  if (growth && std::abs(*growth) > kMaxGrowth) return false;
+  if (evenness(patches) >= kMinEvenness) return true;
+  return growth && share_behind(patches, tolerance) <= kMaxShareBehind;
+}
 
 }  // namespace augicp

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A sensor's rays do not come closer to each other than its step. Seen from elsewhere, the directions to the points of
-// a scan interleave, and so do those to the points of several scans, or of a model.
+// Whether a cloud is one sensor's scan from a place, known by two laws of its rays. The angles between them do not
+// depend on what the rays meet. And rays do not come closer to each other than the sensor's step: seen from elsewhere,
+// the directions to the points of a scan interleave, and so do those to the points of several scans, or of a model.
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "augicp/cloud/cloud.h"
+#include "augicp/match/ray_patches.h"
 
 namespace augicp {
 
@@ -11,13 +16,17 @@ namespace augicp {
 // to its origin, metres.
 inline Vec3f assumed_place(const Cloud& cloud) { return cloud.viewpoint.value_or((-cloud.origin).cast<float>()); }
 
-// How evenly the directions from a place (relative to the cloud's origin, metres) to a cloud's points are spaced: the
-// 2nd percentile of the angles to the nearest other direction, divided by their median; in [0, 1]. Directions at random
-// have 0.17, the rays of most sensors 0.7 to 1. Some of the cloud's directions are asked. 0 for fewer than two. For a
-// cloud as its sensor gave it: the rays of a thinned one are no longer even.
-double evenness_of_rays(const Cloud& cloud, const Vec3f& place);
+// How evenly rays are spaced: the 2nd percentile of the angles to the nearest other one, divided by their 20th, in a
+// patch; the median of the patches, in [0, 1]. Directions at random have 0.3. Sensors have 0.85 and more, even if their
+// lines are not in step, but for those whose lines nearly meet. 0 for no patch.
+double evenness(std::span<const RayPatch> patches);
 
-// Whether a cloud's points lie on the rays of a sensor at its assumed place.
-bool is_one_sensors_scan(const Cloud& cloud);
+// The exponent p of spacing ~ range^p over the patches: 0 for rays, -1 for points that are spread evenly over a
+// surface. None if the ranges hardly differ.
+std::optional<double> growth_with_range(std::span<const RayPatch> patches);
+
+// Whether a cloud's points lie on the rays of a sensor at its assumed place, with few points farther than the tolerance
+// (metres) behind others. For a cloud as its sensor gave it: the rays of a thinned one are no longer even.
+bool is_one_sensors_scan(const Cloud& cloud, float tolerance);
 
 }  // namespace augicp

@@ -18,13 +18,18 @@ float range_along(const Vec3f& ray) {
   return (meets_block ? 1.2f : 3.0f) / ray.cwiseAbs().maxCoeff();
 }
 
-// Lines at even elevations, rays at even azimuths; range noise is along the ray and leaves its direction.
-Cloud spun_scan(unsigned seed) {
+constexpr float kTolerance = 0.1f;  // metres
+
+// Lines at even elevations, rays at even azimuths; range noise is along the ray and leaves its direction. The lines of
+// many sensors are not in step: each begins at an azimuth of its own.
+Cloud spun_scan(unsigned seed, bool in_step = true) {
   std::mt19937 generator(seed);
   std::normal_distribution<float> noise(0.0f, 0.02f);
+  std::uniform_real_distribution<float> phase(0.0f, kStep);
   Cloud scan;
   for (int line = -8; line < 8; ++line)
-    for (float azimuth = 0.0f; azimuth < 2.0f * std::numbers::pi_v<float>; azimuth += kStep) {
+    for (float azimuth = in_step ? 0.0f : phase(generator); azimuth < 2.0f * std::numbers::pi_v<float>;
+         azimuth += kStep) {
       const float elevation = 3.5f * kStep * static_cast<float>(line);
       const Vec3f ray(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                       std::sin(elevation));
@@ -34,36 +39,82 @@ Cloud spun_scan(unsigned seed) {
   return scan;
 }
 
+// Points spread at random over the walls of a long hall, as many on each square metre: a model, not a scan.
+Cloud model_of_a_hall(unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<float> along(-30.0f, 30.0f), across(-2.0f, 2.0f);
+  Cloud model;
+  for (int k = 0; k < 60000; ++k) {
+    const float side = k % 2 == 0 ? 2.0f : -2.0f;
+    model.points.push_back(k % 4 < 2 ? Vec3f(along(generator), side, across(generator))
+                                     : Vec3f(along(generator), across(generator), side));
+  }
+  return model;
+}
+
 Cloud joined(Cloud one, const Cloud& other) {
   one.points.insert(one.points.end(), other.points.begin(), other.points.end());
   return one;
 }
 
-TEST(RaySpacing, RaysOfASensorAreEvenAndRangeNoiseDoesNotChangeThat) {
-  EXPECT_GT(evenness_of_rays(spun_scan(1), Vec3f::Zero()), 0.9);
-  EXPECT_TRUE(is_one_sensors_scan(spun_scan(2)));
+double evenness_from(const Cloud& cloud, const Vec3f& place) { return evenness(ray_patches(cloud, place)); }
+
+TEST(RaySpacing, RaysOfASensorAreEvenInAndOutOfStep) {
+  EXPECT_GT(evenness_from(spun_scan(1), Vec3f::Zero()), 0.95);
+  EXPECT_GT(evenness_from(spun_scan(1, false), Vec3f::Zero()), 0.95);
+  EXPECT_TRUE(is_one_sensors_scan(spun_scan(2), kTolerance));
+  EXPECT_TRUE(is_one_sensors_scan(spun_scan(2, false), kTolerance));
 }
 
-// The law of the nearest neighbour in the plane: P(d < r) = 1 - exp(-pi n r^2), so that the ratio of the quantiles q
-// and 1/2 is sqrt(ln(1 - q) / ln(1/2)).
+// The law of the nearest neighbour in the plane: P(d < r) = 1 - exp(-pi n r^2), so that the ratio of the quantiles p
+// and q is sqrt(ln(1 - p) / ln(1 - q)).
 TEST(RaySpacing, RandomDirectionsHaveTheRatioOfAPoissonProcess) {
   std::mt19937 generator(3);
   std::normal_distribution<float> normal;
   Cloud cloud;
-  for (int k = 0; k < 8000; ++k) cloud.points.push_back(Vec3f(normal(generator), normal(generator), normal(generator)));
-  EXPECT_NEAR(evenness_of_rays(cloud, Vec3f::Zero()), std::sqrt(std::log(0.98) / std::log(0.5)), 0.03);
-  EXPECT_FALSE(is_one_sensors_scan(cloud));
+  for (int k = 0; k < 100000; ++k)
+    cloud.points.push_back(Vec3f(normal(generator), normal(generator), normal(generator)));
+  EXPECT_NEAR(evenness_from(cloud, Vec3f::Zero()), std::sqrt(std::log(0.98) / std::log(0.8)), 0.06);
+  EXPECT_FALSE(is_one_sensors_scan(cloud, kTolerance));
+}
+
+// As many points on each square metre: the angle between two is their distance by the range.
+TEST(RaySpacing, GrowsWithTheRangeOnlyOnModels) {
+  const auto of_scan = growth_with_range(ray_patches(spun_scan(8), Vec3f::Zero()));
+  ASSERT_TRUE(of_scan);
+  EXPECT_NEAR(*of_scan, 0.0, 0.05);
+  Cloud sphere = spun_scan(9);
+  for (Vec3f& point : sphere.points) point.normalize();
+  EXPECT_FALSE(growth_with_range(ray_patches(sphere, Vec3f::Zero())));
+  // Across the line of sight. A slanted surface has still closer directions: the exponent is -1 to -1.5.
+  const auto of_model = growth_with_range(ray_patches(model_of_a_hall(10), Vec3f::Zero()));
+  ASSERT_TRUE(of_model);
+  EXPECT_NEAR(*of_model, -1.25, 0.3);
+  EXPECT_FALSE(is_one_sensors_scan(model_of_a_hall(10), kTolerance));
+}
+
+// Lines that nearly meet: directions are at random, but nothing lies behind anything.
+TEST(RaySpacing, ScansWhoseLinesMeetAreKnownAsNothingLiesBehindAnything) {
+  std::mt19937 generator(11);
+  std::normal_distribution<float> normal;
+  Cloud scan;
+  for (int k = 0; k < 60000; ++k) {
+    const Vec3f ray = Vec3f(normal(generator), normal(generator), normal(generator)).normalized();
+    scan.points.push_back(range_along(ray) * ray);
+  }
+  EXPECT_LT(evenness_from(scan, Vec3f::Zero()), 0.5);
+  EXPECT_TRUE(is_one_sensors_scan(scan, kTolerance));
 }
 
 TEST(RaySpacing, TwoScansInOneFrameAreNotOneSensors) {
   Cloud second = spun_scan(4);
   for (Vec3f& point : second.points) point += Vec3f(0.8f, -0.5f, 0.1f);
-  EXPECT_FALSE(is_one_sensors_scan(joined(spun_scan(5), second)));
+  EXPECT_LT(evenness_from(joined(spun_scan(5), second), Vec3f::Zero()), 0.7);
 }
 
 TEST(RaySpacing, FromAnotherPlaceRaysAreLessEven) {
   const Cloud scan = spun_scan(6);
-  EXPECT_LT(evenness_of_rays(scan, Vec3f(1.0f, 0.0f, 0.0f)), 0.7 * evenness_of_rays(scan, Vec3f::Zero()));
+  EXPECT_LT(evenness_from(scan, Vec3f(1.0f, 0.0f, 0.0f)), 0.7 * evenness_from(scan, Vec3f::Zero()));
 }
 
 // The viewpoint, else the zero of the frame, whatever the origin of the points.
@@ -71,20 +122,20 @@ TEST(RaySpacing, ThePlaceFollowsViewpointAndOrigin) {
   Cloud scan = spun_scan(7);
   const Vec3f away(5.0f, 4.0f, 0.0f);
   for (Vec3f& point : scan.points) point += away;
-  EXPECT_FALSE(is_one_sensors_scan(scan));
+  EXPECT_FALSE(is_one_sensors_scan(scan, kTolerance));
   scan.viewpoint = away;
-  EXPECT_TRUE(is_one_sensors_scan(scan));
+  EXPECT_TRUE(is_one_sensors_scan(scan, kTolerance));
   scan.viewpoint.reset();
   scan.origin = -away.cast<double>();
-  EXPECT_TRUE(is_one_sensors_scan(scan));
+  EXPECT_TRUE(is_one_sensors_scan(scan, kTolerance));
 }
 
 TEST(RaySpacing, NoPointsAndOnePlaceAreNoScan) {
   Cloud cloud;
-  EXPECT_EQ(evenness_of_rays(cloud, Vec3f::Zero()), 0.0);
+  EXPECT_EQ(evenness_from(cloud, Vec3f::Zero()), 0.0);
   cloud.points.assign(100, Vec3f(1.0f, 2.0f, 3.0f));
-  EXPECT_EQ(evenness_of_rays(cloud, Vec3f::Zero()), 0.0);
-  EXPECT_EQ(evenness_of_rays(cloud, Vec3f(1.0f, 2.0f, 3.0f)), 0.0);
+  EXPECT_EQ(evenness_from(cloud, Vec3f::Zero()), 0.0);
+  EXPECT_EQ(evenness_from(cloud, Vec3f(1.0f, 2.0f, 3.0f)), 0.0);
 }
 
 }  // namespace

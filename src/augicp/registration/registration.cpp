@@ -126,7 +126,7 @@ ThinnedScan thinned(Scan scan, const Lengths& lengths, const RegistrationOptions
   if (!has_surface(scan.cloud, lengths)) return {std::move(scan), num_read, std::nullopt};
   if (!scan.view) {
     drop_far_outliers(scan.cloud, lengths.extent);
-    scan.place_is_known = is_one_sensors_scan(scan.cloud);
+    scan.place_is_known = is_one_sensors_scan(scan.cloud, static_cast<float>(tolerance_of(scan, lengths).distance));
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
   }
   if (options.preset == Preset::Paper) scan.cloud.weights.clear();
