@@ -20,9 +20,10 @@
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/bag.h"
 #include "augicp/io/camera_file.h"
-#include "augicp/io/depth_png.h"
+#include "augicp/io/depth_file.h"
 #include "augicp/io/format.h"
 #include "augicp/io/grey_png.h"
+#include "augicp/io/pose_file.h"
 #include "augicp/io/read_cloud.h"
 #include "augicp/io/ros_image.h"
 #include "augicp/io/sequence_folders.h"
@@ -50,8 +51,9 @@ Content read_points(const FileBytes& file, const ReadOptions& options = {}) {
   return content;
 }
 
-Content read_depth(const FileBytes& file) {
-  const DepthImage image = parse_depth_png(file, 1000.0);
+// extension: the one that users have.
+Content read_depth(const FileBytes& file, const char* extension) {
+  const DepthImage image = parse_depth_image({file.path.string() + extension, file.bytes}, 1000.0);
   Content content;
   for (const float depth : image.depth) {
     ++(std::isnan(depth) ? content.num_dropped : content.num_kept);
@@ -78,8 +80,7 @@ Content read_list(const FileBytes& file) {
   return content;
 }
 
-Content read_trajectory(const FileBytes& file) {
-  const TrajectoryFile read = parse_tum_trajectory(file);
+Content content_of(const TrajectoryFile& read) {
   fuzz::expect_sound(read.trajectory);
   Content content{read.trajectory.size(), 0, read.warnings.size()};
   for (const StampedPose& pose : read.trajectory) content.sum += size_of(pose.world_from_camera.translation);
@@ -138,12 +139,15 @@ Content read_mesh(const FileBytes& file) {
 Content read(const FileBytes& file) {
   const std::string kind = file.path.extension().string();
   if (kind == ".ply_mesh") return read_mesh(file);
-  if (kind == ".mcap" || kind == ".bag") return read_recording(file);
+  if (kind == ".mcap" || kind == ".bag" || kind == ".db3") return read_recording(file);
   if (kind == ".point_cloud2" || kind == ".depth_message") return read_message(file);
-  if (kind == ".depth_png") return read_depth(file);
+  if (kind == ".depth_png") return read_depth(file, ".png");
+  if (kind == ".depth_pgm") return read_depth(file, ".pgm");
+  if (kind == ".depth_npy") return read_depth(file, ".npy");
   if (kind == ".grey_png") return read_grey(file);
   if (kind == ".image_list") return read_list(file);
-  if (kind == ".trajectory") return read_trajectory(file);
+  if (kind == ".trajectory") return content_of(parse_tum_trajectory(file));
+  if (kind == ".poses") return content_of(parse_poses({file.path.string() + ".csv", file.bytes}).content);
   if (kind == ".transform") return read_transform(file);
   if (kind == ".camera") return read_camera(file);
   return read_points(file);

@@ -6,6 +6,7 @@ same scans in a folder.
     bag_test.py COMMAND PROJECT
 """
 import bz2
+import contextlib
 import json
 import sqlite3
 import struct
@@ -269,6 +270,25 @@ class Bags(unittest.TestCase):
         self.assertEqual(finished.returncode, 3)
         self.assertIn("cut.mcap", finished.stderr)
         self.assertFalse(output.exists())
+
+
+    def test_no_message_of_a_database_is_left_out(self):
+        damage = {"of no topic": ("UPDATE messages SET topic_id = 2 WHERE id = 3", "'name'"),
+                  "no stamp": ("UPDATE messages SET timestamp = 'now' WHERE id = 3", "'timestamp'"),
+                  "no bytes": ("UPDATE messages SET data = NULL WHERE id = 3", "'data'"),
+                  "endless": ("DROP TABLE messages; CREATE VIEW messages AS WITH RECURSIVE n(id) AS (SELECT 1 UNION ALL SELECT id + 1 FROM n) "
+                              "SELECT id, 1 AS topic_id, id AS timestamp, x'00' AS data FROM n", "interrupted")}
+        for what, (statements, words) in damage.items():
+            path = self.root / f"{what}.db3"
+            path.write_bytes((self.root / "a.db3").read_bytes())
+            with contextlib.closing(sqlite3.connect(path)) as database:
+                database.executescript(statements)
+                database.commit()
+            finished = subprocess.run([sys.argv[1], "info", path], capture_output=True, text=True)
+            if "built without" in finished.stderr:
+                self.skipTest(finished.stderr)
+            self.assertEqual(finished.returncode, 3, what)
+            self.assertIn(words, finished.stderr, what)
 
 
 class DepthBags(unittest.TestCase):

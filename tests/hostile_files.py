@@ -15,6 +15,7 @@ import math
 import multiprocessing
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import time
@@ -29,9 +30,11 @@ import hostile_small_oracles as small
 CORPUS = pathlib.Path(__file__).parent.parent / "fuzz" / "corpus"
 KINDS = {"ply": (".ply", hostile_oracles.ply), "pcd": (".pcd", hostile_oracles.pcd), "las": (".las", hostile_las.las), "xyz": (".csv", hostile_oracles.xyz),
          "npy": (".npy", hostile_oracles.npy), "kitti": (".bin", hostile_oracles.kitti), "depth_png": (".depth_png", small.depth_png),
+         "depth_pgm": (".depth_pgm", small.depth_pgm), "depth_npy": (".depth_npy", small.depth_npy), "poses": (".poses", small.poses),
          "grey_png": (".grey_png", small.grey_png), "trajectory": (".trajectory", small.trajectory),
          "image_list": (".image_list", small.image_list), "transform": (".transform", small.transform),
          "camera": (".camera", small.camera), "mcap": (".mcap", hostile_bags.mcap), "rosbag1": (".bag", hostile_bags.rosbag1),
+         "rosbag2": (".db3", hostile_bags.rosbag2),
          "point_cloud2": (".point_cloud2", None), "depth_message": (".depth_message", None), "stl": (".stl", None), "obj": (".obj", None), "ply_mesh": (".ply_mesh", None)}
 TASK_SIZE = 2000
 
@@ -58,7 +61,8 @@ def complaint(kind, data, answer):
     """The fault of an answer to a file, or nothing."""
     word, _, rest = answer.partition(" ")
     if word == "refused":
-        return None if kind == "transform" or rest.startswith(("any" + KINDS[kind][0] + ": ", "any" + KINDS[kind][0] + ".ply: ")) else "the error does not name the file"
+        names_file = re.match(rf"any{re.escape(KINDS[kind][0])}(\.\w+)?: ", rest)  # some kinds get the extension of users
+        return None if kind == "transform" or names_file else "the error does not name the file"
     if word != "read":
         return answer
     kept, dropped, warnings = map(int, rest.split()[:3])
@@ -66,7 +70,7 @@ def complaint(kind, data, answer):
         return None
     try:
         holds = KINDS[kind][1](data)
-    except hostile_bags.Unknown:
+    except hostile_oracles.Unknown:
         return None
     except Exception as error:  # of whatever kind: the oracles are as short as they can be
         return f"was read, but is damaged ({type(error).__name__} {error})"

@@ -18,6 +18,10 @@ class Damaged(Exception):
     pass
 
 
+class Unknown(Exception):
+    """What only the first reader can say."""
+
+
 @dataclasses.dataclass
 class Holds:
     points: int           # records the file declares, or has where it declares nothing

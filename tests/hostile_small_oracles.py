@@ -2,11 +2,12 @@
 """The oracles of what is no cloud: images, trajectories, lists, poses and cameras. See hostile_oracles.py."""
 
 import json
+import math
 import re
 import struct
 import zlib
 
-from hostile_oracles import Damaged, Holds, fields, not_blank, number, require, split_lines, text_of, without_bom
+from hostile_oracles import NUMBERS, Damaged, Holds, Unknown, fields, not_blank, npy_header, number, require, split_lines, text_of, without_bom
 
 
 def png_rows(data):
@@ -57,6 +58,35 @@ def depth_png(data):
     return Holds(len(values), [value / 1000.0 for value in values if value not in (0, 65535)])
 
 
+def depth_pgm(data):
+    header = re.match(rb"P5" + 3 * rb"(?:[ \t\r\n]|#[^\n]*\n)*(\d+)" + rb"(?s:.)", data)
+    require(header and 255 < int(header[3]) < 65536)
+    count = int(header[1]) * int(header[2])
+    require(count > 0 and len(data) - header.end() == 2 * count)
+    values = struct.unpack_from(f">{count}H", data, header.end())
+    return Holds(count, [value / 1000.0 for value in values if value not in (0, 65535)])
+
+
+def depth_npy(data):
+    """Floats are metres."""
+    header, _, shape, begin = npy_header(data)
+    descr = re.search(r"'descr'[ \t]*:[ \t]*'([<>|=])(\w)0*(\d+)'", header)
+    form, count = (">" if descr[1] == ">" else "<") + NUMBERS[descr[2] + descr[3]], math.prod(shape)
+    require(len(shape) == 2 and count > 0 and len(data) - begin == count * struct.calcsize(form))
+    values = [value for (value,) in struct.iter_unpack(form, data[begin:])]
+    if descr[2] != "f":
+        return Holds(count, [value / 1000.0 for value in values if 0 < value != 65535])
+    return Holds(count, [value for value in map(as_float, values) if 0 < value < math.inf])
+
+
+def as_float(value):
+    """Of 32 bits."""
+    try:
+        return struct.unpack("<f", struct.pack("<f", value))[0]
+    except OverflowError:
+        return math.inf
+
+
 def grey_png(data):
     width, bits, channels, rows = png_rows(data)
     require(bits == 8 and channels != 2)
@@ -77,6 +107,25 @@ def trajectory(data):
     require(all(first <= second for first, second in zip(stamps, stamps[1:])))
     rows = [row for row, before in zip(rows, [None] + stamps) if row[0] != before]  # of equal stamps the first is kept
     return Holds(len(rows), [sum(map(abs, row[1:4])) for row in rows])
+
+
+def poses(data):
+    """TUM's and KITTI's numbers. Tables with names and JSON are what only the first reader can read."""
+    try:
+        rows = rows_of_numbers(data)
+    except Damaged:
+        raise Unknown
+    if any(line.lstrip(" \t").startswith("#") and "q" in line for line in split_lines(text_of(without_bom(data)))):
+        raise Unknown  # names in a comment
+    require(rows and len(rows[0]) in (8, 12, 13) and all(len(row) == len(rows[0]) for row in rows))
+    if len(rows[0]) == 8:
+        return trajectory(data)
+    if len(rows[0]) == 12:
+        return Holds(len(rows), [sum(map(abs, row[3::4])) for row in rows])
+    stamps = [row[0] for row in rows]
+    require(all(first <= second for first, second in zip(stamps, stamps[1:])))
+    rows = [row for row, before in zip(rows, [None] + stamps) if row[0] != before]
+    return Holds(len(rows), [sum(map(abs, row[4::4])) for row in rows])
 
 
 def image_list(data):

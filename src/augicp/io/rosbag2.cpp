@@ -29,6 +29,34 @@ Database opened(const std::filesystem::path& path) {
   throw io_error(path, fmt::format("expected a bag of ROS 2: {}", sqlite3_errmsg(database)));
 }
 
+// Bounds the work of a statement by the size of its file: pages of a damaged file may refer to each other so that
+// reading them takes years. A message costs some 50 instructions of SQLite's machine and has more than 10 bytes.
+class WorkBound {
+ public:
+  WorkBound(sqlite3* database, std::uint64_t file_bytes)
+      : num_left_(static_cast<std::int64_t>(kFew + file_bytes / kBytesPerStep)) {
+    sqlite3_progress_handler(database, kInstructionsPerStep, &WorkBound::is_exceeded, this);
+  }
+  WorkBound(const WorkBound&) = delete;
+  WorkBound& operator=(const WorkBound&) = delete;
+
+ private:
+  static constexpr int kInstructionsPerStep = 10000;
+  static constexpr std::uint64_t kFew = 100, kBytesPerStep = 100;
+
+  static int is_exceeded(void* self) { return --static_cast<WorkBound*>(self)->num_left_ <= 0 ? 1 : 0; }
+
+  std::int64_t num_left_;
+};
+
+Statement prepared(const std::filesystem::path& path, sqlite3* database, const char* text) {
+  sqlite3_stmt* raw = nullptr;
+  const int code = sqlite3_prepare_v2(database, text, -1, &raw, nullptr);
+  Statement statement(raw, &sqlite3_finalize);
+  if (code != SQLITE_OK) fail(path, database);
+  return statement;
+}
+
 std::string_view text_in(sqlite3_stmt* statement, int column) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement, column));
   return text ? std::string_view(text, static_cast<std::size_t>(sqlite3_column_bytes(statement, column)))
@@ -37,24 +65,25 @@ std::string_view text_in(sqlite3_stmt* statement, int column) {
 
 class SqliteReader : public MessageSource {
  public:
-  explicit SqliteReader(const std::filesystem::path& path)
-      : path_(path), database_(opened(path)), statement_(nullptr, &sqlite3_finalize) {
-    sqlite3_stmt* raw = nullptr;
-    const int code =
-        sqlite3_prepare_v2(database_.get(),
-                           "SELECT topics.name, topics.type, messages.timestamp, messages.data FROM messages "
-                           "JOIN topics ON topics.id = messages.topic_id ORDER BY messages.timestamp, messages.id",
-                           -1, &raw, nullptr);
-    statement_.reset(raw);
-    if (code != SQLITE_OK) fail(path_, database_.get());
-  }
+  // LEFT: a message whose topic is missing is an error, and not left out.
+  SqliteReader(const std::filesystem::path& path, std::uint64_t file_bytes)
+      : path_(path),
+        database_(opened(path)),
+        bound_(database_.get(), file_bytes),
+        statement_(
+            prepared(path, database_.get(),
+                     "SELECT topics.name, topics.type, messages.timestamp, messages.data FROM messages "
+                     "LEFT JOIN topics ON topics.id = messages.topic_id ORDER BY messages.timestamp, messages.id")) {}
 
   std::optional<BagMessage> next() override {
     sqlite3_stmt* const row = statement_.get();
     const int step = is_at_end_ ? SQLITE_DONE : sqlite3_step(row);
     is_at_end_ = step != SQLITE_ROW;
+    if (step == SQLITE_DONE && !is_counted_) require_all();
     if (step == SQLITE_DONE) return std::nullopt;
     if (step != SQLITE_ROW) fail(path_, database_.get());
+    ++num_messages_;
+    require_types(row);
     type_ = plain_type(text_in(row, 1));
     const auto* data = static_cast<const char*>(sqlite3_column_blob(row, 3));
     const auto size = static_cast<std::size_t>(sqlite3_column_bytes(row, 3));
@@ -63,18 +92,39 @@ class SqliteReader : public MessageSource {
   }
 
  private:
+  // SQLite converts whatever is in a column to whatever is requested.
+  void require_types(sqlite3_stmt* row) const {
+    constexpr int kExpected[] = {SQLITE_TEXT, SQLITE_TEXT, SQLITE_INTEGER, SQLITE_BLOB};
+    for (int column = 0; column < 4; ++column)
+      if (sqlite3_column_type(row, column) != kExpected[column])
+        throw io_error(path_, fmt::format("expected a message with a topic, a type, a stamp and bytes, found none "
+                                          "in '{}'",
+                                          sqlite3_column_name(row, column)));
+  }
+
+  // The order comes from an index, and a damaged one may have fewer messages than the table.
+  void require_all() {
+    const Statement count = prepared(path_, database_.get(), "SELECT count(*) FROM messages NOT INDEXED");
+    if (sqlite3_step(count.get()) != SQLITE_ROW) fail(path_, database_.get());
+    if (sqlite3_column_int64(count.get(), 0) != num_messages_)
+      throw io_error(path_, fmt::format("expected {} messages, its index has {}", sqlite3_column_int64(count.get(), 0),
+                                        num_messages_));
+    is_counted_ = true;
+  }
+
   const std::filesystem::path path_;
   Database database_;
+  WorkBound bound_;
   Statement statement_;
   std::string type_;
-  bool is_at_end_ = false;
+  bool is_at_end_ = false, is_counted_ = false;
+  std::int64_t num_messages_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<MessageSource> open_sqlite(const std::filesystem::path& path) {
-  FileStream exists(path);
-  return std::make_unique<SqliteReader>(path);
+  return std::make_unique<SqliteReader>(path, FileStream(path).num_left());
 }
 
 }  // namespace augicp
