@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The filter that shows comments to doxygen, and the check of the built site, without building it.
+"""The filter that shows comments to doxygen, the page of the command, and the check of the built site, without building it.
 
     site_test.py PROJECT
 """
@@ -12,6 +12,7 @@ from pathlib import Path
 PROJECT = Path(sys.argv[1])
 sys.path.insert(0, str(PROJECT / "docs/site"))
 import check  # noqa: E402
+import command_page  # noqa: E402
 import doxygen_filter  # noqa: E402
 import pages  # noqa: E402
 
@@ -44,6 +45,50 @@ class FilterTest(unittest.TestCase):
         self.assertGreater(text.count("///<"), 100)
         types = re.findall(r"^(.*)\n(?:template <[^\n]*>\n)?(?:class|struct|enum class) \w+ .*\{$", text, re.MULTILINE)
         self.assertGreater(sum(line.startswith("///") for line in types) / len(types), 0.5)
+
+
+HELP = """Find the motion
+Usage: augicp align [OPTIONS] source
+
+Options:
+  -h,--help                   Print this, see --quiet
+  --source TEXT REQUIRED      T_a <b> | `c`
+
+
+Method:
+  --preset ENUM:{default,paper}=default
+                              default, or paper
+  --depth-scale FLOAT=that of the camera, or 5000
+                              One metre
+  --every UINT:INT in [1 - 9]=1
+                              Every N-th
+  --json TEXT:{-}             With -: to stdout
+  --intensity,--no-intensity{false}
+                              Brightness counts
+
+Exit codes: 0 success.
+  More of the same.
+Examples:
+  augicp align b.ply
+"""
+
+
+class CommandPageTest(unittest.TestCase):
+    def test_every_option_has_its_values_default_and_text(self):
+        parts = dict(command_page.sections(HELP))
+        self.assertEqual(command_page.definitions(parts["Options"]),
+                         ["`-h, --help`", ": Print this, see `--quiet`", "", "`--source TEXT`", ": T\\_a \\<b\\> \\| `c`", ""])
+        self.assertEqual(command_page.definitions(parts["Method"]),
+                         ["`--preset {default,paper}`, by default `default`", ": default, or paper", "",
+                          "`--depth-scale FLOAT`, by default that of the camera, or 5000", ": One metre", "",
+                          "`--every UINT`, by default `1`", ": Every N-th", "", "`--json {-}`", ": With -: to stdout", "",
+                          "`--intensity, --no-intensity`", ": Brightness counts", ""])
+
+    def test_what_follows_the_options_is_text_and_examples_are_code(self):
+        titles = [title for title, _ in command_page.sections(HELP)]
+        self.assertEqual(titles, [None, "Options", "Method", None, "Examples"])
+        last = command_page.sections(HELP)[-1]
+        self.assertEqual(command_page.part_of(*last, ["augicp", "align"]), ["Examples:", "", "```sh", "augicp align b.ply", "```", ""])
 
 
 class PagesTest(unittest.TestCase):

@@ -11,10 +11,12 @@ author = copyright = "the augicp authors"
 release = version = (PROJECT / "VERSION").read_text(encoding="utf-8").strip()
 extensions = ["myst_parser", "sphinx.ext.autodoc", "breathe"]
 myst_heading_anchors = 6
-myst_enable_extensions = ["colon_fence"]
+myst_enable_extensions = ["colon_fence", "deflist"]
 # Each header opens the namespace again, and so declares it again.
 suppress_warnings = ["myst.header", "misc.highlighting_failure", "duplicate_declaration.cpp"]
 highlight_language = "none"
+# Quotes and options are copied from the pages.
+smartquotes = False
 html_theme = "furo"
 html_title = f"augicp {release}"
 html_static_path = ["_static"]

@@ -10,9 +10,10 @@ with a line `file<tab>title<tab>text` each in gallery.tsv.
 import html
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
+
+import command_page
 
 PROJECT = Path(__file__).resolve().parents[2]
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
@@ -82,28 +83,9 @@ def write_children(page, names):
         file.write("\n```{toctree}\n:hidden:\n\n" + "\n".join(name for name in names if name != "README") + "\n```\n")
 
 
-def help_of(command, *words):
-    text = subprocess.run([command.name, *words, "--help"], capture_output=True, text=True, check=True,
-                          env={"PATH": str(command.parent)}).stdout
-    return text.replace(str(command), command.name)
-
-
-def subcommands(text):
-    """Of the part Subcommands of a help text."""
-    part = re.search(r"^Subcommands:\n((?:  .*\n)+)", text, re.MULTILINE)
-    return re.findall(r"^  ([a-z]+) ", part[1], re.MULTILINE) if part else []
-
-
-def command_part(command, words):
-    text = help_of(command, *words)
-    below = [line for word in subcommands(text) for line in command_part(command, [*words, word])]
-    return [f"{'#' * (len(words) + 1)} {' '.join([command.name, *words])}", "", "```text", text.strip(), "```", "", *below]
-
-
 def write_command(output, command):
     (output / "reference").mkdir(parents=True)
-    lines = ["# The command", *command_part(command, [])[1:]]
-    (output / "reference/command.md").write_text("\n".join(lines), encoding="utf-8")
+    (output / "reference/command.md").write_text(command_page.page(command), encoding="utf-8")
 
 
 def write_python(output):
