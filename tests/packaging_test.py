@@ -19,10 +19,42 @@ PACKAGING = PROJECT / "packaging"
 VERSION = (PROJECT / "VERSION").read_text(encoding="utf-8").strip()
 
 
+# What each recipe calls the libraries that the project's CMakeLists.txt finds.
+LIBRARY_NAMES = {"Eigen3": "eigen", "TBB": "tbb", "fmt": "fmt", "nlohmann_json": "nlohmann[-_]json", "liblzf": "lzf", "spng": "spng", "SQLite3": "sqlite",
+                 "lz4": "lz4", "zstd": "zstd", "BZip2": "bz(ip)?2"}
+# package.xml is not among them: ROS has no names for liblzf and libspng.
+RECIPES = ("packaging/conan/conanfile.py", "packaging/conda/recipe.yaml", "packaging/debian/control", "packaging/homebrew/augicp.rb",
+           "packaging/nix/default.nix", "packaging/vcpkg/augicp/vcpkg.json", "packaging/wheel/install-libraries", "scripts/install-dependencies")
+
+
+def libraries():
+    """The packages that CMakeLists.txt finds, but for those of the tests."""
+    text = (PROJECT / "CMakeLists.txt").read_text(encoding="utf-8").split("if(AUGICP_BUILD_TESTS)")[0]
+    found = re.findall(r"find_package\((\w+)", text)
+    for names in re.findall(r"foreach\(compression ([\w ]+)\)", text):
+        found += names.split()
+    return found
+
+
+def dependencies_text(recipe):
+    """Without comments, and of Conan's recipe the requirements alone: it names libraries elsewhere too."""
+    text = re.sub(r"^\s*#.*$", "", (PROJECT / recipe).read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return re.search(r"requires = \((.*?)\)\n", text, re.DOTALL)[1] if recipe.endswith("conanfile.py") else text
+
+
+def lacking():
+    for name in libraries():
+        for recipe in RECIPES:
+            if not re.search(rf"(?<![a-z])(lib|one)?{LIBRARY_NAMES[name]}", dependencies_text(recipe)):
+                yield f"{recipe} lacks {name}, which CMakeLists.txt finds"
+
+
 def versions():
     """Where each recipe that cannot read VERSION has the version."""
     port = json.loads((PACKAGING / "vcpkg/augicp/vcpkg.json").read_text(encoding="utf-8"))
     yield "vcpkg.json", port["version"]
+    recipe = (PACKAGING / "conda/recipe.yaml").read_text(encoding="utf-8")
+    yield "recipe.yaml", re.search(r'^  version: "(.*)"$', recipe, re.MULTILINE)[1]
     manifest = xml.etree.ElementTree.parse(PROJECT / "package.xml").getroot()
     yield "package.xml", manifest.findtext("version")
     yield "debian/changelog", re.match(r"augicp \(([\d.]+)-\d+\)", (PACKAGING / "debian/changelog").read_text(encoding="utf-8"))[1]
@@ -47,7 +79,7 @@ def commands():
 
 
 def main():
-    wrong = [f"{place} has version {version}, VERSION has {VERSION}" for place, version in versions() if version != VERSION]
+    wrong = [f"{place} has version {version}, VERSION has {VERSION}" for place, version in versions() if version != VERSION] + list(lacking())
     if f"Package: {library_package()}\n" not in (PACKAGING / "debian/control").read_text(encoding="utf-8"):
         wrong.append(f"debian/control has no package {library_package()}")
     for file in PACKAGING.rglob("*.py"):
@@ -59,7 +91,7 @@ def main():
         finished = subprocess.run(command, capture_output=True, text=True, check=False)
         if finished.returncode != 0:
             wrong.append(f"{command[-1].relative_to(PROJECT)}: {finished.stderr.strip()}")
-    print(*(wrong or ["the recipes can be read, and have one version"]), sep="\n")
+    print(*(wrong or ["the recipes can be read, have one version, and name every library"]), sep="\n")
     return bool(wrong)
 
 

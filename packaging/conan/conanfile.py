@@ -18,7 +18,8 @@ class Augicp(ConanFile):
     settings = "os", "compiler", "build_type", "arch"
     options = {"shared": [True, False], "fPIC": [True, False]}
     default_options = {"shared": False, "fPIC": True}
-    requires = ("eigen/[>=3.4 <4]", "fmt/[>=9]", "libspng/[>=0.7]", "lzf/[>=3.6]", "nlohmann_json/[>=3.11]", "onetbb/[>=2021.8]", "zlib/[>=1.2.11 <2]")
+    requires = ("bzip2/[>=1.0.8 <2]", "eigen/[>=3.4 <4]", "fmt/[>=9]", "libspng/[>=0.7]", "lz4/[>=1.9 <2]", "lzf/[>=3.6]", "nlohmann_json/[>=3.11]",
+                "onetbb/[>=2021.8]", "sqlite3/[>=3.40 <4]", "zlib/[>=1.2.11 <2]", "zstd/[>=1.5 <2]")
 
     def set_version(self):
         self.version = (ROOT / "VERSION").read_text(encoding="utf-8").strip()

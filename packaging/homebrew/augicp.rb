@@ -14,8 +14,12 @@ class Augicp < Formula
   depends_on "fmt"
   depends_on "liblzf"
   depends_on "libspng"
+  depends_on "lz4"
   depends_on "tbb"
+  depends_on "zstd"
 
+  uses_from_macos "bzip2"
+  uses_from_macos "sqlite"
   uses_from_macos "zlib"
 
   def install

@@ -8,7 +8,7 @@ pkgs.stdenv.mkDerivation {
   src = pkgs.lib.cleanSource ../..;
 
   nativeBuildInputs = with pkgs; [ cmake ninja pkg-config ];
-  buildInputs = with pkgs; [ cli11 fmt liblzf libspng nlohmann_json tbb zlib ];
+  buildInputs = with pkgs; [ bzip2 cli11 fmt liblzf libspng lz4 nlohmann_json sqlite tbb zlib zstd ];
   propagatedBuildInputs = [ pkgs.eigen ];
 
   cmakeFlags = [
