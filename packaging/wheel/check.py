@@ -59,6 +59,7 @@ def check_command(programs, work):
 
 
 def copy_tests(work):
+    shutil.copy(PROJECT / "VERSION", work)
     for name in ("conftest.py", "*_test.py"):
         for file in (PROJECT / "python").rglob(name):
             copy = work / file.relative_to(PROJECT)
