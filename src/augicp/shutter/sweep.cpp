@@ -53,7 +53,7 @@ std::vector<double> piece_azimuths(const std::vector<double>& azimuths) {
     const std::size_t begin = piece * azimuths.size() / kNumPieces, end = (piece + 1) * azimuths.size() / kNumPieces;
     double x = 0.0, y = 0.0;
     for (std::size_t i = begin; i < end; ++i) x += std::cos(azimuths[i]), y += std::sin(azimuths[i]);
-    if (std::hypot(x, y) < kMinConcentration * static_cast<double>(end - begin)) ++num_scattered;
+    if (std::sqrt(x * x + y * y) < kMinConcentration * static_cast<double>(end - begin)) ++num_scattered;
     const double mean = std::atan2(y, x);
     of_piece.push_back(of_piece.empty() ? mean : nearest_turn(mean, of_piece.back()));
   }

@@ -108,7 +108,11 @@ void fit_range_noise(std::vector<PointNoise> measured, ScanNoise& noise) {
 
 }  // namespace
 
-double ScanNoise::range_sigma(double range) const { return std::hypot(constant, per_m2 * range * range); }
+// Not by std::hypot, which rounds differently from one C library to the next.
+double ScanNoise::range_sigma(double range) const {
+  const double growing = per_m2 * range * range;
+  return std::sqrt(constant * constant + growing * growing);
+}
 
 ScanNoise measured_noise(const Cloud& cloud, double radius, int num_threads) {
   require_positive("radius", radius);
