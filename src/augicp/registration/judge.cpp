@@ -10,6 +10,7 @@
 #include "augicp/sensor/image_noise.h"
 #include "augicp/trust/beyond_planes.h"
 #include "augicp/trust/contradiction.h"
+#include "augicp/trust/free_motions.h"
 
 namespace augicp {
 namespace {
@@ -62,6 +63,14 @@ double moved(const Cloud& source, const Rigid3& from_pose, const Rigid3& to_pose
     spread_sq += (point.cast<double>() - mean).squaredNorm();
   }
   return std::sqrt(moved_sq / spread_sq);
+}
+
+// Degenerate promises that the pose is at the guess along the free motions. Far from it there may be no way back, which
+// a pose that is contradicted does not hide behind that status.
+constexpr double kMaxMoveAlongFree = 0.01;  // gyration radii
+bool has_left_along_free(const AlignResult& result, const Rigid3& guess_target_from_source) {
+  const Vec6d moved = increment_between(guess_target_from_source, result.target_from_source);
+  return moved_along(result.observability, static_cast<int>(result.free_motions.size()), moved) > kMaxMoveAlongFree;
 }
 
 }  // namespace
@@ -147,7 +156,8 @@ AlignResult Judge::judged(AlignResult result) const {
   evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, result.target_from_source)
                                              : kMovedFromAnywhere;
   const Verdict verdict = decide(reached, evidence);
-  result.status = verdict.status;
+  const bool has_left = guess_target_from_source_ && has_left_along_free(result, *guess_target_from_source_);
+  result.status = has_left && !verdict.doubts.empty() ? AlignStatus::Doubtful : verdict.status;
   result.doubts = verdict.doubts;
   result.evidence = evidence;
   return result;

@@ -10,6 +10,7 @@
 #include "augicp/core/parallel.h"
 #include "augicp/registration/registration.h"
 #include "augicp/testing/degenerate_families.h"
+#include "augicp/trust/free_motions.h"
 #include "augicp/trust/verdict.h"
 
 namespace augicp::synthetic {
@@ -27,13 +28,6 @@ bool is_named(const TrustPair& pair, const AlignResult& result) {
   return testing::angle_to_free(truth, found, seen.gyration, seen.centroid) < kMaxAxisError;
 }
 
-// About the paired points' centroid, in gyration radii.
-Vec6d in_gyrations(const Vec6d& increment, const Observability& seen) {
-  Vec6d scaled = increment;
-  scaled.head<3>() = (increment.head<3>() + increment.tail<3>().cross(seen.centroid)) / seen.gyration;
-  return scaled;
-}
-
 double share_up_to(const std::vector<double>& strains, double limit) {
   if (strains.empty()) return 0.0;
   const auto count = std::count_if(strains.begin(), strains.end(), [&](double strain) { return strain <= limit; });
@@ -43,16 +37,9 @@ double share_up_to(const std::vector<double>& strains, double limit) {
 }  // namespace
 
 double move_along_free(const AlignResult& result, const Rigid3& guess, const Cloud& source, const Cloud& target) {
-  const Vec6d moved = increment_between(without_origins(guess, source, target),
-                                        without_origins(result.target_from_source, source, target));
-  double sum_sq = 0.0;
-  for (std::size_t k = 0; k < result.free_motions.size(); ++k) {
-    const Vec6d direction =
-        in_gyrations(result.observability.directions.col(static_cast<Eigen::Index>(k)), result.observability);
-    const double along = direction.normalized().dot(in_gyrations(moved, result.observability));
-    sum_sq += along * along;
-  }
-  return std::sqrt(sum_sq);
+  return moved_along(result.observability, static_cast<int>(result.free_motions.size()),
+                     increment_between(without_origins(guess, source, target),
+                                       without_origins(result.target_from_source, source, target)));
 }
 
 TrustOutcome outcome_of(unsigned seed, const TrustPair& pair, const PoseError& right, const AlignResult& result) {

@@ -18,15 +18,19 @@ constexpr double kMaxPitchOfRotation = 0.1;
 
 using Subspace = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-// About the centroid, rotations times the radius of gyration: columns are orthonormal again.
-Subspace scaled(const Observability& observability, int num_free) {
-  Subspace free = observability.directions.leftCols(num_free);
-  for (int k = 0; k < num_free; ++k) {
-    const Vec3d turn = free.col(k).tail<3>();
-    free.col(k).head<3>() += turn.cross(observability.centroid);
-    free.col(k).tail<3>() = observability.gyration * turn;
+// Increments as columns: about the centroid, rotations times the radius of gyration. The directions are orthonormal
+// again.
+Subspace scaled(Subspace increments, const Observability& observability) {
+  for (Eigen::Index k = 0; k < increments.cols(); ++k) {
+    const Vec3d turn = increments.col(k).tail<3>();
+    increments.col(k).head<3>() += turn.cross(observability.centroid);
+    increments.col(k).tail<3>() = observability.gyration * turn;
   }
-  return free;
+  return increments;
+}
+
+Subspace scaled_free(const Observability& observability, int num_free) {
+  return scaled(observability.directions.leftCols(num_free), observability);
 }
 
 FreeMotion motion_of(const Vec6d& direction, const Observability& observability) {
@@ -50,13 +54,20 @@ std::vector<FreeMotion> free_motions(const Observability& observability, int num
   if (num_free <= 0 || !(observability.gyration > 0.0)) return {};
   // Any rotation of the basis within the free directions spans the same space. This one puts all rotation into as few
   // directions as possible, so that the others are pure translations.
-  const Subspace free = scaled(observability, num_free);
+  const Subspace free = scaled_free(observability, num_free);
   const Eigen::MatrixXd turns = free.bottomRows<3>();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(turns, Eigen::ComputeFullV);
   const Subspace basis = free * svd.matrixV();
   std::vector<FreeMotion> motions;
   for (int k = num_free - 1; k >= 0; --k) motions.push_back(motion_of(basis.col(k), observability));
   return motions;
+}
+
+double moved_along(const Observability& observability, int num_free, const Vec6d& increment) {
+  if (num_free <= 0 || !(observability.gyration > 0.0)) return 0.0;
+  const Eigen::VectorXd along =
+      scaled_free(observability, num_free).transpose() * scaled(increment, observability).col(0);
+  return along.norm() / observability.gyration;
 }
 
 }  // namespace augicp

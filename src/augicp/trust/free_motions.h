@@ -32,4 +32,8 @@ inline constexpr auto kWords<FreeMotion::Kind> =
 // has three) the axes are not unique. Places are between the target's points, without its origin.
 std::vector<FreeMotion> free_motions(const Observability& observability, int num_free);
 
+// How far an increment (metres, radians, about the target's zero) moves the paired points along the num_free weakest
+// directions, in their gyration radii; 0 for points without extent.
+double moved_along(const Observability& observability, int num_free, const Vec6d& increment);
+
 }  // namespace augicp
