@@ -21,8 +21,10 @@ constexpr std::size_t kMinSlopes = 20;
 constexpr double kMinEvenness = 0.88;
 // Sensors have -0.06 to 0.14. Surfaces sampled evenly have -1, fused fragments of rooms -0.66 to -0.98.
 constexpr double kMaxGrowth = 0.3;
-// A sensor whose lines nearly meet has 0.05 to 0.08, two of its scans in one frame 0.39 and more.
-constexpr double kMaxShareBehind = 0.1;
+// Of sensors whose lines nearly meet. They have 0.05 to 0.09 from their place and 0.13 to 0.25 from places around it;
+// rooms joined from several views have 0.02 to 0.33 from anywhere, and up to -0.24 for the growth.
+constexpr double kMaxGrowthUnlessEven = 0.1, kMaxShareBehind = 0.1, kMaxOfShareAround = 0.5;
+constexpr float kAround = 0.3f;  // of the median range
 
 float at_quantile(const std::vector<float>& values, double quantile) {
   return value_at_rank(values, static_cast<std::size_t>(quantile * static_cast<double>(values.size())));
@@ -50,6 +52,27 @@ double share_behind(std::span<const RayPatch> patches, float tolerance) {
   return RangeImage(sample, Vec3f::Zero()).share_behind(tolerance);
 }
 
+float median_range(std::span<const RayPatch> patches) {
+  std::vector<float> ranges;
+  for (const RayPatch& patch : patches)
+    for (const Vec3f& ray : patch.rays) ranges.push_back(ray.norm());
+  return upper_median(std::move(ranges));
+}
+
+double mean_share_around(const Cloud& cloud, const Vec3f& place, float distance, float tolerance) {
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    sum += share_behind(ray_patches(cloud, place + distance * Vec3f::Unit(axis)), tolerance);
+  return sum / 3.0;
+}
+
+// Whether so few points lie behind others that this is where they were seen from.
+bool is_seen_from(const Vec3f& place, const Cloud& cloud, std::span<const RayPatch> patches, float tolerance) {
+  const double share = share_behind(patches, tolerance);
+  if (!(share <= kMaxShareBehind)) return false;
+  return share <= kMaxOfShareAround * mean_share_around(cloud, place, kAround * median_range(patches), tolerance);
+}
+
 }  // namespace
 
 double evenness(std::span<const RayPatch> patches) {
@@ -74,11 +97,12 @@ std::optional<double> growth_with_range(std::span<const RayPatch> patches) {
 }
 
 bool is_one_sensors_scan(const Cloud& cloud, float tolerance) {
-  const std::vector<RayPatch> patches = ray_patches(cloud, assumed_place(cloud));
+  const Vec3f place = assumed_place(cloud);
+  const std::vector<RayPatch> patches = ray_patches(cloud, place);
   const std::optional<double> growth = growth_with_range(patches);
   if (growth && std::abs(*growth) > kMaxGrowth) return false;
   if (evenness(patches) >= kMinEvenness) return true;
-  return growth && share_behind(patches, tolerance) <= kMaxShareBehind;
+  return growth && std::abs(*growth) <= kMaxGrowthUnlessEven && is_seen_from(place, cloud, patches, tolerance);
 }
 
 }  // namespace augicp

@@ -93,17 +93,26 @@ TEST(RaySpacing, GrowsWithTheRangeOnlyOnModels) {
   EXPECT_FALSE(is_one_sensors_scan(model_of_a_hall(10), kTolerance));
 }
 
-// Lines that nearly meet: directions are at random, but nothing lies behind anything.
-TEST(RaySpacing, ScansWhoseLinesMeetAreKnownAsNothingLiesBehindAnything) {
-  std::mt19937 generator(11);
+// Directions at random between walls, with a pillar in front of each.
+Cloud seen_among_pillars(unsigned seed) {
+  std::mt19937 generator(seed);
   std::normal_distribution<float> normal;
   Cloud scan;
   for (int k = 0; k < 60000; ++k) {
     const Vec3f ray = Vec3f(normal(generator), normal(generator), normal(generator)).normalized();
-    scan.points.push_back(range_along(ray) * ray);
+    const bool meets_pillar = std::min(std::abs(ray.x()), std::abs(ray.y())) < 0.15f;
+    scan.points.push_back((meets_pillar ? 1.5f : 4.0f) / ray.cwiseAbs().maxCoeff() * ray);
   }
+  return scan;
+}
+
+// Lines that nearly meet: directions are as good as random, but from the sensor's place nothing lies behind anything.
+TEST(RaySpacing, ScansWhoseLinesMeetAreKnownAsNothingLiesBehindAnything) {
+  Cloud scan = seen_among_pillars(11);
   EXPECT_LT(evenness_from(scan, Vec3f::Zero()), 0.5);
   EXPECT_TRUE(is_one_sensors_scan(scan, kTolerance));
+  scan.viewpoint = Vec3f(0.7f, 0.7f, 0.0f);
+  EXPECT_FALSE(is_one_sensors_scan(scan, kTolerance));
 }
 
 TEST(RaySpacing, TwoScansInOneFrameAreNotOneSensors) {
