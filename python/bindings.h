@@ -18,6 +18,7 @@ void bind_align(pybind11::module_& module);           // align
 void bind_surface(pybind11::module_& module);         // estimate_surface
 void bind_files(pybind11::module_& module);           // read, write, transforms, trajectories
 void bind_sequence(pybind11::module_& module);        // DepthSequence
+void bind_scans(pybind11::module_& module);           // ScanSequence
 void bind_frame(pybind11::module_& module);           // Frame
 void bind_lidar_odometry(pybind11::module_& module);  // LidarOdometry
 void bind_odometry(pybind11::module_& module);        // Odometry

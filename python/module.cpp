@@ -77,6 +77,7 @@ void bind_all(py::module_& module) {
   bind_surface(module);
   bind_files(module);
   bind_sequence(module);
+  bind_scans(module);
   bind_frame(module);
   bind_odometry(module);
   bind_lidar_odometry(module);

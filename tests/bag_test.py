@@ -173,7 +173,7 @@ class Bags(unittest.TestCase):
             self.assertEqual((finished.returncode, finished.stderr), (0, ""), bag)
             self.assertEqual((output / "trajectory.txt").read_text(), expected, bag)
             self.assertIn("field t, nanoseconds", json.loads((output / "metrics.json").read_text())["point_times"])
-            self.assertTrue(rows_of(output / "frames.csv")[3]["image"].endswith("points, message 3"))
+            self.assertTrue(rows_of(output / "frames.csv")[3]["image"].endswith("points#3"))
 
     def test_results_become_a_recording(self):
         """Poses with covariances, scans and map, by our own reader and by another."""
@@ -256,11 +256,49 @@ class Bags(unittest.TestCase):
         self.assertEqual(finished.returncode, 0, finished.stderr)
         self.assertEqual([row["frame"] for row in rows_of(output / "frames.csv")], ["1", "3"])
 
+    def test_scans_of_a_recording_are_inputs(self):
+        """`drive.mcap#3` is what its file is: the same pose, the same surface, the same words of info."""
+        def said(*arguments):
+            finished = subprocess.run([sys.argv[1], *map(str, arguments)], capture_output=True, text=True)
+            return finished.returncode, finished.stdout, finished.stderr
+        def pose_of(source, target, *options):
+            code, stdout, stderr = said("align", source, target, "--json", "-", *options)
+            self.assertEqual((code, stderr), (0, ""))
+            return json.loads(stdout)["T_target_source"]
+        expected = pose_of(self.root / "scans/3.pcd", self.root / "scans/1.pcd")
+        for bag, options in (("a.mcap", ("--topic", "/points")), ("a.bag", ()), ("a.db3", ()), ("rosbag2", ())):
+            if any(words in said("info", self.root / bag)[2] for words in ("built without", "this build lacks")):
+                print(f"skipped: {bag}")
+                continue
+            self.assertEqual(pose_of(f"{self.root / bag}#3", f"{self.root / bag}#1", *options), expected, bag)
+        scan = f"{self.root / 'a.mcap'}#/points#3"
+        self.assertEqual(pose_of(scan, self.root / "scans/1.pcd"), expected)
+        for command in ("info", "surface"):
+            output = ["--output", self.root / f"{command}.ply"] if command == "surface" else []
+            one, other = (said(command, path, *output) for path in (scan, self.root / "scans/3.pcd"))
+            self.assertEqual([line for line in one[1].splitlines() if line[:4] not in ("file", "form")],
+                             [line for line in other[1].splitlines() if line[:4] not in ("file", "form")])
+            self.assertEqual((one[0], one[2]), (0, ""))
+
+    def test_a_recording_for_a_cloud_is_told_what_to_do(self):
+        finished = subprocess.run([sys.argv[1], "align", self.root / "a.mcap", self.root / "scans/1.pcd"], capture_output=True, text=True)
+        self.assertEqual(finished.returncode, 3)
+        for words in ("expected one cloud or depth image", f"{self.root / 'a.mcap'}#0", "augicp info", "--topic", "augicp odometry"):
+            self.assertIn(words, finished.stderr)
+        for arguments, code, words in ((["info", f"{self.root / 'a.mcap'}#0"], 3, "which topic? It has /others (1), /points (5)"),
+                                       (["info", f"{self.root / 'a.mcap'}#last"], 3, "expected the number of a message"),
+                                       (["info", f"{self.root / 'a.mcap'}#/points#9"], 3, "expected message 9 of /points, found 5"),
+                                       (["info", self.root / "scans/1.pcd", "--topic", "/points"], 2, "goes with a recording"),
+                                       (["info", f"{self.root / 'a.mcap'}#/points#0", "--camera", "tum-fr1"], 2, "is a cloud")):
+            finished = subprocess.run([sys.argv[1], *map(str, arguments)], capture_output=True, text=True)
+            self.assertEqual(finished.returncode, code, finished.stderr)
+            self.assertIn(words, finished.stderr)
+
     def test_the_topic_is_asked_for(self):
         output = self.root / "not made"
         finished = run(self.root / "a.mcap", "--output", output)
         self.assertEqual(finished.returncode, 3)
-        self.assertIn("which --topic? It has /others (1), /points (5)", finished.stderr)
+        self.assertIn("which topic? It has /others (1), /points (5)", finished.stderr)
         self.assertFalse(output.exists())
         self.assertIn("none", run(self.root / "scans", "--topic", "/points").stderr)
 
@@ -320,6 +358,13 @@ class DepthBags(unittest.TestCase):
             self.assertEqual((root / "bag/trajectory.txt").read_text(), (root / "plain/trajectory.txt").read_text())
             self.assertEqual(counts_of(root / "out.mcap"), {"/odometry": 4, "/points": 4, "/tf": 4})
             self.assertIn("has no topic of sensor_msgs/PointCloud2", run(root / "a.mcap", "--sensor", "lidar").stderr)
+            # An image of it, with the recording's camera, is the image of the folder with that camera.
+            camera = ("--camera", "517 516 318 255 0.26 -0.95 0 0 1.16", "--depth-scale", 5000)
+            poses = [json.loads(subprocess.run([sys.argv[1], "align", *map(str, arguments), "--json", "-"], capture_output=True,
+                                               text=True, check=True).stdout)["T_target_source"]
+                     for arguments in ((f"{root / 'a.mcap'}#2", f"{root / 'a.mcap'}#0", *camera[2:]),
+                                       (root / "folder" / images[2].name, root / "folder" / images[0].name, *camera))]
+            self.assertEqual(*poses)
 
     @staticmethod
     def depth(message, path):

@@ -333,7 +333,7 @@ class CommandTest(unittest.TestCase):
         database.close()
         info = json.loads(run("info", bag, "--json", "-").stdout) if "built without" not in run("info", bag).stderr else self.skipTest("no SQLite")
         self.assertEqual([(topic["name"], topic["num_messages"]) for topic in info["topics"]], [("/more_points", 1), ("/points", 3), ("/words", 1)])
-        self.assertIn("which --topic? It has /more_points (1), /points (3)", run("unpack", bag).stderr)
+        self.assertIn("which topic? It has /more_points (1), /points (3)", run("unpack", bag).stderr)
         scans = self.folder / "scans"
         watched = run("unpack", bag, "--topic", "/points", "--output", scans.with_name("watched"), "--progress", "json")
         reports = [json.loads(line) for line in watched.stderr.splitlines() if line.startswith("{")]

@@ -21,7 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReadDoc =
-    R"(The Cloud in a file: .ply, .pcd, .las, .laz (with laspy), .xyz .txt .csv .pts, KITTI's .bin, .npy, or a 16-bit depth .png.
+    R"(The Cloud in a file: .ply, .pcd, .las, .laz (with laspy), .xyz .txt .csv .pts, KITTI's .bin, .npy, or a 16-bit depth .png;
+or one cloud of a recording (.bag, .db3, .mcap, or a folder of rosbag2): "drive.mcap#12" is the one with number 12, from 0, and
+"drive.mcap#/points#12" that of a topic.
 
 camera, depth_scale: of a depth image, which needs both; see Cloud.from_depth.
 bin_columns: numbers a point in a .bin file: 3, 4 (x y z intensity), 5 or 6; 0: 4 to 6, found by the numbers. max_points: files with more are refused.

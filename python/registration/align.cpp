@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kDoc = R"(Finds the rigid motion between two clouds.
 
 source, target: the moving and the fixed cloud: (N, 3) arrays (float32, float64, anything with __array__), metres,
-  Cloud, or the path of a cloud's file.
+  Cloud, or the path of a cloud, see read().
 initial: (4, 4) guess of T_target_source, rigid to within 1e-3; None: the identity; "global": there is none, and the pose
   is searched among all.
 method: the objective: "augmented", "gicp", "plane", "point" or "ndt".

@@ -150,7 +150,7 @@ int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd", ".las"});
   require_extension(arguments.mcap, {".mcap"}, "--mcap");
-  require_use_of_camera(arguments.input, {arguments.source, arguments.target});
+  require_use_of(arguments.input, {arguments.source, arguments.target});
   StepLine line(arguments.quiet ? Progress::None : arguments.progress);
   AlignRun run = register_files(arguments, line);
   line.hide();
@@ -197,8 +197,9 @@ void add_align_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<AlignArguments>();
   CLI::App* command = app.add_subcommand("align", "Find the motion between two clouds or depth images");
   command
-      ->add_option("source,--source", arguments->source,
-                   "The moving cloud: .ply .pcd .las .xyz .txt .csv .pts .npy .bin, or a 16-bit depth .png")
+      ->add_option(
+          "source,--source", arguments->source,
+          "The moving cloud: .ply .pcd .las .xyz .txt .csv .pts .npy .bin, a 16-bit depth .png, or drive.mcap#12")
       ->required();
   command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
   add_input_options(*command, arguments->input);
@@ -215,6 +216,7 @@ void add_align_command(CLI::App& app, int& exit_code) {
       "  augicp align scan_b.ply scan_a.ply --transform T.txt --report alignment.html\n"
       "  augicp align 000002.png 000001.png --camera tum-fr1 --json -\n"
       "  augicp align 2.png 1.png --camera tum-fr1 --intensity --source-image rgb/2.png --target-image rgb/1.png\n"
+      "  augicp align drive.mcap#10 drive.mcap#0 --topic /points\n"
       "  augicp align b.pcd a.pcd --initial \"0.1 0 0 0 0 0 1\" --max-distance 0.5 --method gicp");
   command->callback([arguments, &exit_code] { exit_code = run_align(*arguments); });
 }

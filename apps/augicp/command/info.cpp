@@ -77,7 +77,7 @@ std::string info_text(const nlohmann::ordered_json& info) {
 }
 
 int run_info(const InfoArguments& arguments) {
-  require_use_of_camera(arguments.input, {arguments.file});
+  require_use_of(arguments.input, {arguments.file});
   const bool is_recording = is_bag(arguments.file);
   StepLine line(arguments.progress);
   line.show("reading", "reading " + arguments.file);
@@ -94,7 +94,9 @@ int run_info(const InfoArguments& arguments) {
 void add_info_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Show the content of a file: points, bounds, normals, invalid points");
-  command->add_option("file", arguments->file, "A cloud, a depth image or a recording")->required();
+  command
+      ->add_option("file", arguments->file, "A cloud, a depth image, a recording, or a message of one: drive.mcap#12")
+      ->required();
   add_input_options(*command, arguments->input);
   command->add_option("--json", arguments->json, "Write it as JSON to a file, or to stdout with -")->group("Output");
   add_progress_option(*command, arguments->progress);
@@ -103,7 +105,8 @@ void add_info_command(CLI::App& app, int& exit_code) {
       "  augicp info scan.ply\n"
       "  augicp info 000001.png --camera tum-fr1\n"
       "  augicp info scan.pcd --json -\n"
-      "  augicp info drive.mcap");
+      "  augicp info drive.mcap\n"
+      "  augicp info drive.mcap#12 --topic /points");
   command->callback([arguments, &exit_code] { exit_code = run_info(*arguments); });
 }
 

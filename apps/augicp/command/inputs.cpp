@@ -7,63 +7,19 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "apps/augicp/command/depth_input.h"
 #include "apps/augicp/command/interruption.h"
 #include "augicp/core/error.h"
 #include "augicp/io/bag.h"
+#include "augicp/io/bag_message_name.h"
 #include "augicp/io/camera_file.h"
-#include "augicp/io/depth_file.h"
-#include "augicp/io/grey_png.h"
+#include "augicp/io/depth_png.h"
 #include "augicp/io/read_cloud.h"
 #include "augicp/io/unit_warning.h"
 #include "augicp/io/write_cloud.h"
 
 namespace augicp::app {
 namespace {
-
-GreyImage read_grey_input(const std::filesystem::path& path, const DepthImage& depth) {
-  GreyImage grey = read_grey_png(path);
-  if (grey.width != depth.width || grey.height != depth.height)
-    throw IoError(fmt::format("{}: expected {} x {} pixels as in the depth image, found {} x {}", path.string(),
-                              depth.width, depth.height, grey.width, grey.height));
-  return grey;
-}
-
-// The library's own message names no file.
-void check_fits(const std::filesystem::path& path, const DepthImage& image, const DepthCamera& camera) {
-  try {
-    check_size(image, camera.pinhole);
-  } catch (const std::invalid_argument& error) {
-    throw IoError(fmt::format("{}: {}", path.string(), error.what()));
-  }
-}
-
-// An array may be a cloud too: only a camera makes it an image.
-bool is_depth_image(const std::filesystem::path& path, const InputOptions& options) {
-  return is_image_file(path) || (lower_case_extension(path) == ".npy" && !options.camera.empty());
-}
-
-Input read_depth_input(const std::filesystem::path& path, const InputOptions& options,
-                       const std::filesystem::path& grey_path) {
-  if (options.camera.empty())
-    throw std::invalid_argument(
-        fmt::format("{}: a depth image needs --camera: a file, numbers \"fx fy cx cy\" or one of {}", path.string(),
-                    fmt::join(camera_names(), " ")));
-  constexpr double kTumDepthScale = 5000.0;
-  const double depth_scale =
-      options.depth_scale.value_or(depth_scale_of_camera(options.camera).value_or(kTumDepthScale));
-  const DepthImage image = read_depth_image(path, depth_scale);
-  check_depth_scale(image, path, depth_scale);
-  warn_of_depth_scale(image, path, depth_scale);
-  const DepthCamera camera = read_camera(options.camera);
-  check_fits(path, image, camera);
-  Input input{grey_path.empty() ? scan_of(image, camera) : scan_of(image, read_grey_input(grey_path, image), camera),
-              {}};
-  input.report.format =
-      fmt::format("{} depth {} x {}", lower_case_extension(path).substr(1), image.width, image.height);
-  input.report.num_declared = image.depth.size();
-  input.report.num_not_finite = image.depth.size() - input.scan.cloud.size();
-  return input;
-}
 
 // What can be done with a folder in the place of a file.
 std::string folder_advice(const std::filesystem::path& folder) {
@@ -82,6 +38,30 @@ std::string folder_advice(const std::filesystem::path& folder) {
                     num_scans > num_images ? fmt::format("{} scans", num_scans) : fmt::format("{} images", num_images),
                     folder.string());
   return text;
+}
+
+[[noreturn]] void refuse_topic(const std::string& topic, const std::filesystem::path& path) {
+  throw std::invalid_argument(fmt::format("--topic {}: goes with a recording, and {} is none", topic, path.string()));
+}
+
+[[noreturn]] void refuse_recording(const std::filesystem::path& path) {
+  throw IoError(
+      fmt::format("{0}: is a recording, expected one cloud or depth image; its first is {1}, and 'augicp info {0}' "
+                  "lists its topics for --topic; it is tracked by: augicp odometry {0}",
+                  path.string(), BagMessageName{path, {}, 0}.text()));
+}
+
+Input input_of(const std::filesystem::path& path, const InputOptions& options, const std::filesystem::path& grey_path) {
+  if (const auto message = parse_bag_message_name(path)) return read_message_input(*message, options, grey_path);
+  if (is_bag(path)) refuse_recording(path);
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) throw IoError(folder_advice(path));
+  if (is_depth_image(path, options)) return read_depth_input(path, options, grey_path);
+  if (!grey_path.empty())
+    throw std::invalid_argument(
+        fmt::format("{}: an image goes with a depth image, not with a cloud", grey_path.string()));
+  CloudFile file = read_cloud(path, options.read);
+  return {scan_of(std::move(file.cloud)), std::move(file.report), std::move(file.fields), std::move(file.grid),
+          std::move(file.las)};
 }
 
 }  // namespace
@@ -106,6 +86,10 @@ void add_input_options(CLI::App& command, InputOptions& options) {
           "--sample-faces", options.read.sample_faces,
           "Take .ply files with faces as meshes: points on the faces, with exact normals (.stl and .obj always are)")
       ->group(group);
+  command
+      .add_option("--topic", options.topic,
+                  "For recordings, as drive.mcap#12 (message 12, from 0): the topic (default: the only one)")
+      ->group(group);
   command.add_option("--max-points", options.read.max_points, "Refuse clouds with more points")
       ->check(CLI::PositiveNumber)
       ->capture_default_str()
@@ -114,9 +98,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 
 void require_sequence(const std::filesystem::path& sequence, const std::string& topic) {
   if (is_bag(sequence)) return;
-  if (!topic.empty())
-    throw std::invalid_argument(
-        fmt::format("--topic {}: goes with a recording, and {} is none", topic, sequence.string()));
+  if (!topic.empty()) refuse_topic(topic, sequence);
   if (std::error_code ignored; std::filesystem::is_regular_file(sequence, ignored))
     throw IoError(
         sequence.string() +
@@ -130,27 +112,19 @@ void warn_of_depth_scale(const DepthImage& image, const std::filesystem::path& p
 
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path) {
-  if (is_bag(path))
-    throw IoError(
-        fmt::format("{}: is a recording; it is tracked by: augicp odometry {}; its scans become files by: augicp "
-                    "unpack {}",
-                    path.string(), path.string(), path.string()));
-  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) throw IoError(folder_advice(path));
-  if (is_depth_image(path, options)) return read_depth_input(path, options, grey_path);
-  if (!grey_path.empty())
-    throw std::invalid_argument(
-        fmt::format("{}: an image goes with a depth image, not with a cloud", grey_path.string()));
-  CloudFile file = read_cloud(path, options.read);
-  for (const std::string& warning : file.report.warnings)
+  Input input = input_of(path, options, grey_path);
+  for (const std::string& warning : input.report.warnings)
     fmt::print(stderr, "augicp: warning: {}: {}\n", path.string(), warning);
-  return {scan_of(std::move(file.cloud)), std::move(file.report), std::move(file.fields), std::move(file.grid),
-          std::move(file.las)};
+  return input;
 }
 
-void require_use_of_camera(const InputOptions& options, const std::vector<std::filesystem::path>& inputs) {
-  const bool any = std::any_of(inputs.begin(), inputs.end(),
-                               [&](const std::filesystem::path& path) { return is_depth_image(path, options); });
-  if (!options.camera.empty() && !any)
+void require_use_of(const InputOptions& options, const std::vector<std::filesystem::path>& inputs) {
+  const auto any = [&](const auto& test) { return std::any_of(inputs.begin(), inputs.end(), test); };
+  const bool has_message =
+      any([](const std::filesystem::path& path) { return is_bag(path) || parse_bag_message_name(path); });
+  if (!options.topic.empty() && !has_message) refuse_topic(options.topic, inputs.front());
+  const bool has_image = any([&](const std::filesystem::path& path) { return is_depth_image(path, options); });
+  if (!options.camera.empty() && !has_image && !has_message)
     throw std::invalid_argument(
         fmt::format("--camera {}: goes with a depth image (.png, .pgm, .npy), and {} is a cloud", options.camera,
                     inputs.front().string()));

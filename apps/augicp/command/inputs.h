@@ -17,6 +17,7 @@ namespace augicp::app {
 struct InputOptions {
   std::string camera;                 // name, file or "fx fy cx cy"; for depth images
   std::optional<double> depth_scale;  // pixel value at one metre; empty: that of the named camera, or 5000
+  std::string topic;                  // of recordings; empty: the only one
   ReadOptions read;
 };
 
@@ -32,9 +33,9 @@ struct Input {
   std::optional<LasRecords> las{};
 };
 
-// A depth image (.png, .pgm, or with a camera .npy) or a cloud. grey_path: an image registered to the depth image, or
-// empty. Throws IoError, also if the sizes of the two images differ, and std::invalid_argument for a depth image
-// without a camera or a cloud with an image.
+// A depth image (.png, .pgm, or with a camera .npy), a cloud, or a message of a recording ("drive.mcap#12"). grey_path:
+// an image registered to the depth image, or empty. Throws IoError, also if the sizes of the two images differ, and
+// std::invalid_argument for a depth image without a camera or a cloud with an image.
 Input read_input(const std::filesystem::path& path, const InputOptions& options,
                  const std::filesystem::path& grey_path = {});
 
@@ -42,8 +43,9 @@ Input read_input(const std::filesystem::path& path, const InputOptions& options,
 // std::invalid_argument for a topic (may be empty) of what is no recording.
 void require_sequence(const std::filesystem::path& sequence, const std::string& topic);
 
-// Throws std::invalid_argument if there is a camera, and none of the inputs is a depth image.
-void require_use_of_camera(const InputOptions& options, const std::vector<std::filesystem::path>& inputs);
+// Throws std::invalid_argument if there is a camera, and none of the inputs is a depth image, or a topic, and none is
+// of a recording. Files are not opened.
+void require_use_of(const InputOptions& options, const std::vector<std::filesystem::path>& inputs);
 
 // Warns on stderr if one of the clouds is about a thousand times as large as the other, as millimetres among metres
 // are.

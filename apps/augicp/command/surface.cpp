@@ -70,7 +70,7 @@ PointFields fields_of_points(Input& input) {
 int run_surface(const SurfaceArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply"});
-  require_use_of_camera(arguments.input, {arguments.input_file});
+  require_use_of(arguments.input, {arguments.input_file});
   std::optional<StepLine> line(std::in_place, arguments.quiet ? Progress::None : arguments.progress);
   line->show("reading", "reading " + arguments.input_file);
   InputOptions with_fields = arguments.input;
@@ -102,7 +102,9 @@ void add_surface_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<SurfaceArguments>();
   CLI::App* command =
       app.add_subcommand("surface", "Write the extended points: normals, tangents, structure as colour");
-  command->add_option("input", arguments->input_file, "A cloud or a depth image")->required();
+  command
+      ->add_option("input", arguments->input_file, "A cloud, a depth image, or a message of a recording: drive.mcap#12")
+      ->required();
   command->add_option("--output", arguments->output, "The .ply to write")->required()->group("Output");
   add_progress_option(*command, arguments->progress);
   command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");

@@ -12,9 +12,10 @@
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/progress.h"
-#include "apps/augicp/command/topics.h"
 #include "augicp/core/error.h"
 #include "augicp/io/atomic_file.h"
+#include "augicp/io/bag_message_name.h"
+#include "augicp/io/bag_topics.h"
 #include "augicp/io/point_cloud2.h"
 #include "augicp/io/write_cloud.h"
 
@@ -42,7 +43,8 @@ fs::path made_folder(const UnpackArguments& arguments) {
 }
 
 int run_unpack(const UnpackArguments& arguments) {
-  const StampedTopic chosen = chosen_topic(arguments.bag, arguments.topic, {kPointCloud2});
+  const std::string clouds[] = {kPointCloud2};
+  const StampedTopic chosen = chosen_topic(arguments.bag, arguments.topic, clouds);
   const std::string& topic = chosen.name;
   const fs::path folder = made_folder(arguments);
   ReadOptions options;
@@ -54,7 +56,7 @@ int run_unpack(const UnpackArguments& arguments) {
   visit_messages(arguments.bag, [&](const BagMessage& message) {
     if (message.topic != topic) return true;
     bar->advance();
-    const fs::path source = message_name(arguments.bag, topic, num_messages++);
+    const fs::path source = BagMessageName{arguments.bag, topic, num_messages++}.text();
     try {
       const PointCloud2 read = parse_point_cloud2(source, message.data, message.form, options);
       const fs::path path = folder / fmt::format("{:06}.pcd", num_written);

@@ -59,6 +59,29 @@ std::vector<StampedTopic> stamped_topics(const std::filesystem::path& bag, std::
   return topics;
 }
 
+StampedTopic chosen_topic(const std::filesystem::path& bag, const std::string& name,
+                          std::span<const std::string> types) {
+  std::vector<StampedTopic> topics = stamped_topics(bag, types);
+  std::erase_if(topics, [](const StampedTopic& topic) {
+    return topic.type != kPointCloud2 && !is_depth_encoding(topic.encoding);
+  });
+  if (topics.empty()) throw io_error(bag, fmt::format("has no topic of {}", fmt::join(types, ", ")));
+  if (name.empty() && topics.size() == 1) return topics.front();
+  std::string known;
+  for (const StampedTopic& topic : topics) {
+    if (topic.name == name) return topic;
+    known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", topic.name, topic.stamps_s.size());
+  }
+  throw io_error(bag, fmt::format("which topic? It has {}", known));
+}
+
+CloudFile parse_cloud_message(const std::filesystem::path& source, const BagMessage& message,
+                              const ReadOptions& options) {
+  if (message.type != kPointCloud2)
+    throw io_error(source, fmt::format("is a {}, expected a {}", message.type, kPointCloud2));
+  return parse_point_cloud2(source, message.data, message.form, options).file;
+}
+
 TopicReader::TopicReader(std::filesystem::path bag, std::string topic)
     : bag_(std::move(bag)), topic_(std::move(topic)) {}
 
@@ -85,10 +108,6 @@ std::optional<DepthCamera> camera_of_topic(const std::filesystem::path& bag, con
     if (message->topic == beside) break;
   }
   return camera;
-}
-
-std::string message_name(const std::filesystem::path& bag, const std::string& topic, std::size_t number) {
-  return fmt::format("{}: {}, message {}", bag.string(), topic, number);
 }
 
 }  // namespace augicp

@@ -25,8 +25,17 @@ struct StampedTopic {
 // Reads the whole recording; throws as BagReader does.
 std::vector<StampedTopic> stamped_topics(const std::filesystem::path& bag, std::span<const std::string> types);
 
+// The topic of that name, or if no name is given the only one of these types. Only depth images count as images. Throws
+// IoError that lists the topics of these types, with the number of their messages. Reads the whole recording.
+StampedTopic chosen_topic(const std::filesystem::path& bag, const std::string& name,
+                          std::span<const std::string> types);
+
 // The stamp of a message whose type begins with a header. Never throws: a damaged header leaves the recording's stamp.
 double stamp_s(const BagMessage& message);
+
+// The cloud of a message. source: for messages. Throws IoError, also for another type than PointCloud2.
+CloudFile parse_cloud_message(const std::filesystem::path& source, const BagMessage& message,
+                              const ReadOptions& options);
 
 // The messages of one topic by their number, from 0. Numbers that ascend cost one pass through the recording; a step
 // back begins another. Thread safety: none.
@@ -48,8 +57,5 @@ class TopicReader {
 // ("depth/image/compressedDepth"). Images of topics whose name has "rect" are rectified. Empty if there is none. Throws
 // IoError.
 std::optional<DepthCamera> camera_of_topic(const std::filesystem::path& bag, const std::string& topic);
-
-// How messages name a message of a topic: "drive.mcap: /points, message 12".
-std::string message_name(const std::filesystem::path& bag, const std::string& topic, std::size_t number);
 
 }  // namespace augicp

@@ -2,6 +2,7 @@
 #include "augicp/io/depth_sequence.h"
 
 #include "augicp/core/check.h"
+#include "augicp/io/bag_message_name.h"
 #include "augicp/io/bag_topics.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_file.h"
@@ -119,7 +120,7 @@ DepthSequence depth_of_topic(const fs::path& bag, const StampedTopic& topic) {
   sequence.depth_scale = kUsualDepthScale;
   const auto reader = std::make_shared<TopicReader>(bag, topic.name);
   for (std::size_t i = 0; i < topic.stamps_s.size(); ++i)
-    sequence.frames.push_back({topic.stamps_s[i], message_name(bag, topic.name, i), reader, i});
+    sequence.frames.push_back({topic.stamps_s[i], BagMessageName{bag, topic.name, i}.text(), reader, i});
   try {
     sequence.camera = camera_of_topic(bag, topic.name);
   } catch (const IoError& error) {  // it does not stop users who give the camera

@@ -4,6 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include "augicp/io/bag.h"
+#include "augicp/io/bag_message_name.h"
+#include "augicp/io/bag_topics.h"
+#include "augicp/io/format.h"
 #include "augicp/io/read_kitti.h"
 #include "augicp/io/read_las.h"
 #include "augicp/io/read_mesh.h"
@@ -53,6 +57,13 @@ const Format& format_of(const std::filesystem::path& path) {
                  "expected one of the extensions" + known + ", found " + in_quotes(extension) + advice_for(extension));
 }
 
+CloudFile read_message(const BagMessageName& name, const ReadOptions& options) {
+  const std::string clouds[] = {kPointCloud2};
+  const std::string topic = name.topic.empty() ? chosen_topic(name.bag, {}, clouds).name : name.topic;
+  TopicReader reader(name.bag, topic);
+  return parse_cloud_message(name.text(), reader.message(name.number), options);
+}
+
 }  // namespace
 
 CloudFile parse_cloud(const FileBytes& file, const ReadOptions& options) {
@@ -60,6 +71,10 @@ CloudFile parse_cloud(const FileBytes& file, const ReadOptions& options) {
 }
 
 CloudFile read_cloud(const std::filesystem::path& path, const ReadOptions& options) {
+  if (const auto name = parse_bag_message_name(path)) return read_message(*name, options);
+  if (is_bag(path))
+    throw io_error(path, fmt::format("is a recording, expected one cloud; the first of its clouds is {}",
+                                     BagMessageName{path, {}, 0}.text()));
   const Format& format = format_of(path);
   return format.parse(read_bytes(path), options);
 }

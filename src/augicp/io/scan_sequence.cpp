@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "augicp/core/check.h"
+#include "augicp/io/bag.h"
+#include "augicp/io/bag_message_name.h"
 #include "augicp/io/bag_topics.h"
 #include "augicp/io/file_bytes.h"
 #include "augicp/io/format.h"
@@ -138,8 +140,18 @@ ScanSequence read_scan_sequence(const fs::path& folder, double scans_per_s) {
 ScanSequence scans_of_topic(const fs::path& bag, const std::string& topic, const std::vector<double>& stamps_s) {
   ScanSequence sequence{true, "recording", {}, bag, topic};
   for (std::size_t i = 0; i < stamps_s.size(); ++i)
-    sequence.scans.push_back({stamps_s[i], message_name(bag, topic, i)});
+    sequence.scans.push_back({stamps_s[i], BagMessageName{bag, topic, i}.text()});
   return sequence;
+}
+
+ScanSequence read_scan_sequence(const fs::path& folder_or_bag, double scans_per_s, const std::string& topic) {
+  if (!is_bag(folder_or_bag)) {
+    if (!topic.empty()) throw io_error(folder_or_bag, "expected a recording that has " + topic);
+    return read_scan_sequence(folder_or_bag, scans_per_s);
+  }
+  const std::string clouds[] = {kPointCloud2};
+  const StampedTopic chosen = chosen_topic(folder_or_bag, topic, clouds);
+  return scans_of_topic(folder_or_bag, chosen.name, chosen.stamps_s);
 }
 
 ScanReader::ScanReader(const ScanSequence& sequence) : scans_(sequence.scans) {
@@ -151,8 +163,7 @@ ScanReader::~ScanReader() = default;
 CloudFile ScanReader::read(std::size_t scan, const ReadOptions& options) {
   const fs::path& path = scans_[scan].path;
   if (!topic_) return read_cloud(path, options);
-  const BagMessage message = topic_->message(scan);
-  return parse_point_cloud2(path, message.data, message.form, options).file;
+  return parse_cloud_message(path, topic_->message(scan), options);
 }
 
 }  // namespace augicp

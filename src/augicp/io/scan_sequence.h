@@ -13,7 +13,7 @@ namespace augicp {
 
 struct ScanFile {
   double stamp_s = 0.0;
-  std::filesystem::path path;  // of a recording: the name of the message
+  std::filesystem::path path;  // of a recording: the name of the message, see read_cloud()
 };
 
 struct ScanSequence {
@@ -34,6 +34,11 @@ std::vector<std::filesystem::path> find_scans(const std::filesystem::path& folde
 // ascend; else the place / scans_per_s. Scans are not opened. Throws IoError if there are no scans, if a list of stamps
 // has not as many as there are scans or does not ascend, and std::invalid_argument unless scans_per_s is above 0.
 ScanSequence read_scan_sequence(const std::filesystem::path& folder, double scans_per_s);
+
+// The same, or of a recording the clouds of a topic, see scans_of_topic(). topic: empty for a folder, or if the
+// recording has only one of clouds. Throws IoError.
+ScanSequence read_scan_sequence(const std::filesystem::path& folder_or_bag, double scans_per_s,
+                                const std::string& topic);
 
 // The clouds of a topic of a recording, in the order of the recording.
 ScanSequence scans_of_topic(const std::filesystem::path& bag, const std::string& topic,
