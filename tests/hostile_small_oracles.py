@@ -115,7 +115,7 @@ def poses(data):
         rows = rows_of_numbers(data)
     except Damaged:
         raise Unknown
-    if any(line.lstrip(" \t").startswith("#") and "q" in line for line in split_lines(text_of(without_bom(data)))):
+    if any("q" in line.partition("#")[2] for line in split_lines(text_of(data))):
         raise Unknown  # names in a comment
     require(rows and len(rows[0]) in (8, 12, 13) and all(len(row) == len(rows[0]) for row in rows))
     if len(rows[0]) == 8:
