@@ -329,6 +329,26 @@ class Bags(unittest.TestCase):
             self.assertIn(words, finished.stderr, what)
 
 
+    def test_a_database_is_read_without_a_trace(self):
+        """No file appears beside one, of which SQLite makes two in the mode WAL; names that mean something in URIs are none."""
+        folder = self.root / "100%25 #1?"
+        folder.mkdir()
+        path = folder / "a.db3"
+        path.write_bytes((self.root / "a.db3").read_bytes())
+        with contextlib.closing(sqlite3.connect(path)) as database:
+            database.execute("PRAGMA journal_mode = WAL")
+        self.assertEqual(counts_of(path), {"/points": NUM_SCANS})
+        self.assertEqual([entry.name for entry in folder.iterdir()], ["a.db3"])
+        # What is in the log of changes alone, after a recording that did not end, is read too.
+        database = sqlite3.connect(path)
+        database.execute("INSERT INTO messages(topic_id, timestamp, data) SELECT topic_id, timestamp + 1, data FROM messages")
+        database.commit()
+        try:
+            self.assertEqual(counts_of(path), {"/points": 2 * NUM_SCANS})
+        finally:
+            database.close()
+
+
 class DepthBags(unittest.TestCase):
     """Images of data/ in a recording and in a folder."""
 

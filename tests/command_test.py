@@ -340,7 +340,7 @@ class CommandTest(unittest.TestCase):
         self.assertEqual([(report["done"], report["total"]) for report in reports], [(1, 3), (2, 3), (3, 3)])
         finished = run("unpack", bag, "--topic", "/points", "--output", scans)
         self.assertEqual(finished.returncode, 0, finished.stderr)
-        self.assertIn("message 1: holds no points", finished.stderr)
+        self.assertIn("#/points#1: holds no points", finished.stderr)
         self.assertEqual((scans / "times.txt").read_text().split(), ["10.500000000", "12.500000000"])
         self.assertEqual(sorted(path.name for path in scans.iterdir()), ["000000.pcd", "000001.pcd", "times.txt"])
         self.assertIn(b"FIELDS x y z ring\n", (scans / "000000.pcd").read_bytes())

@@ -14,9 +14,27 @@ namespace {
 using Database = std::unique_ptr<sqlite3, int (*)(sqlite3*)>;
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
+bool has_content(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return !error && size > 0;
+}
+
+// Without a log of changes beside it the file does not change: SQLite then makes no file beside it either.
+std::string uri_of(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char c : path.string()) {
+    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '/' ||
+                          c == '.' || c == '_' || c == '-';
+    uri += is_plain ? std::string(1, c) : fmt::format("%{:02x}", static_cast<unsigned char>(c));
+  }
+  const bool has_log = has_content(path.string() + "-wal") || has_content(path.string() + "-journal");
+  return has_log ? uri : uri + "?immutable=1";
+}
+
 Database opened(const std::filesystem::path& path) {
   sqlite3* raw = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr);
+  const int code = sqlite3_open_v2(uri_of(path).c_str(), &raw, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
   Database database(raw, &sqlite3_close);
   if (code != SQLITE_OK) throw io_error(path, fmt::format("cannot be opened: {}", sqlite3_errstr(code)));
   // The file is not trusted: no functions from its schema, and bounded memory for a value.
@@ -26,7 +44,7 @@ Database opened(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, sqlite3* database) {
-  throw io_error(path, fmt::format("expected a bag of ROS 2: {}", sqlite3_errmsg(database)));
+  throw io_error(path, "expected a bag of ROS 2: " + in_quotes(sqlite3_errmsg(database)));
 }
 
 // Bounds the work of a statement by the size of its file: pages of a damaged file may refer to each other so that
@@ -102,13 +120,19 @@ class SqliteReader : public MessageSource {
                                           sqlite3_column_name(row, column)));
   }
 
-  // The order comes from an index, and a damaged one may have fewer messages than the table.
-  void require_all() {
-    const Statement count = prepared(path_, database_.get(), "SELECT count(*) FROM messages NOT INDEXED");
+  std::int64_t count_of(const char* statement) const {
+    const Statement count = prepared(path_, database_.get(), statement);
     if (sqlite3_step(count.get()) != SQLITE_ROW) fail(path_, database_.get());
-    if (sqlite3_column_int64(count.get(), 0) != num_messages_)
-      throw io_error(path_, fmt::format("expected {} messages, its index has {}", sqlite3_column_int64(count.get(), 0),
-                                        num_messages_));
+    return sqlite3_column_int64(count.get(), 0);
+  }
+
+  // The order comes from an index, and a damaged one may have fewer messages than the table. Without messages the
+  // topics were not read.
+  void require_all() {
+    count_of("SELECT count(*) FROM topics NOT INDEXED");
+    const std::int64_t num_expected = count_of("SELECT count(*) FROM messages NOT INDEXED");
+    if (num_expected != num_messages_)
+      throw io_error(path_, fmt::format("expected {} messages, its index has {}", num_expected, num_messages_));
     is_counted_ = true;
   }
 
