@@ -11,6 +11,7 @@
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/table_options.h"
+#include "apps/augicp/page/evaluation_page.h"
 #include "apps/augicp/text/drift.h"
 #include "apps/augicp/text/evaluation.h"
 #include "augicp/core/error.h"
@@ -22,7 +23,7 @@ namespace augicp::app {
 namespace {
 
 struct EvaluateArguments {
-  std::string estimate, truth, pairs, json;
+  std::string estimate, truth, pairs, json, page;
   std::vector<std::string> others;  // further estimates
   EvaluationOptions options;
   bool quiet = false;
@@ -36,17 +37,19 @@ PoseFile read_and_warn(const std::string& path) {
 }
 
 // Options were checked before: errors here concern the files.
-Evaluation evaluate_files(const std::string& path, PoseFile estimate, const EvaluateArguments& arguments) {
+EvaluatedRun evaluate_files(const std::string& path, PoseFile estimate, const EvaluateArguments& arguments) {
   PoseFile truth = read_and_warn(arguments.truth);
   share_stamps(estimate, truth);
   if (estimate.has_stamps != truth.has_stamps)
     throw IoError(fmt::format("{}, {}: only one has timestamps, and they have {} and {} poses", path, arguments.truth,
                               estimate.content.trajectory.size(), truth.content.trajectory.size()));
+  EvaluatedRun run{path, std::move(estimate.content.trajectory), std::move(truth.content.trajectory), {}};
   try {
-    return evaluate(estimate.content.trajectory, truth.content.trajectory, arguments.options);
+    run.evaluation = evaluate(run.estimate, run.truth, arguments.options);
   } catch (const std::invalid_argument& error) {
     throw IoError(fmt::format("{}, {}: {}", path, arguments.truth, error.what()));
   }
+  return run;
 }
 
 std::vector<GapError> errors_of(const PoseFile& estimate, std::span<const ReferencePair> known) {
@@ -55,11 +58,15 @@ std::vector<GapError> errors_of(const PoseFile& estimate, std::span<const Refere
   return errors_by_gap(pair_errors(poses, known));
 }
 
-Compared compared(const std::string& path, const EvaluateArguments& arguments, std::span<const ReferencePair> known) {
+// runs: takes what a report draws.
+Compared compared(const std::string& path, const EvaluateArguments& arguments, std::span<const ReferencePair> known,
+                  std::vector<EvaluatedRun>& runs) {
   Compared result{path, {}, {}};
-  const PoseFile estimate = read_and_warn(path);
-  if (!arguments.truth.empty()) result.evaluation = evaluate_files(path, estimate, arguments);
+  PoseFile estimate = read_and_warn(path);
   if (!arguments.pairs.empty()) result.of_gap = errors_of(estimate, known);
+  if (arguments.truth.empty()) return result;
+  runs.push_back(evaluate_files(path, std::move(estimate), arguments));
+  result.evaluation = runs.back().evaluation;
   return result;
 }
 
@@ -85,16 +92,22 @@ int run_evaluate(const EvaluateArguments& arguments) {
   arguments.options.check();
   if (arguments.truth.empty() && arguments.pairs.empty())
     throw std::invalid_argument("groundtruth is required, or --pairs");
+  if (arguments.truth.empty() && !arguments.page.empty()) throw std::invalid_argument("--report: needs groundtruth");
   std::vector<ReferencePair> known;
   if (!arguments.pairs.empty()) known = read_reference_pairs(arguments.pairs);
-  std::vector<Compared> all{compared(arguments.estimate, arguments, known)};
-  for (const std::string& other : arguments.others) all.push_back(compared(other, arguments, known));
+  std::vector<EvaluatedRun> runs;
+  std::vector<Compared> all{compared(arguments.estimate, arguments, known, runs)};
+  for (const std::string& other : arguments.others) all.push_back(compared(other, arguments, known, runs));
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}", text_of(all, arguments, known.size()));
-  if (arguments.json.empty()) return kSuccess;
-  nlohmann::ordered_json json = json_of(all[0], arguments);
-  for (std::size_t i = 1; i < all.size(); ++i) json["others"].push_back(json_of(all[i], arguments));
-  json["version"] = AUGICP_VERSION;
-  write_json(arguments.json, json);
+  if (!arguments.page.empty()) write_text_file(arguments.page, evaluation_page(arguments.truth, runs));
+  if (!arguments.json.empty()) {
+    nlohmann::ordered_json json = json_of(all[0], arguments);
+    for (std::size_t i = 1; i < all.size(); ++i) json["others"].push_back(json_of(all[i], arguments));
+    json["version"] = AUGICP_VERSION;
+    write_json(arguments.json, json);
+  }
+  const std::string written = written_text({arguments.json}, arguments.page);
+  if (!arguments.quiet && arguments.json != "-" && !written.empty()) fmt::print("written    {}\n", written);
   return kSuccess;
 }
 
@@ -119,6 +132,10 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
   add_all_options(*command, arguments->options);
   command->add_option("--json", arguments->json, "Write all results as JSON to a file, or to stdout with -")
       ->group("Output");
+  command
+      ->add_option("--report", arguments->page,
+                   "Write a report: one HTML file with all estimates over the ground truth in 3D, readable offline")
+      ->group("Output");
   command->add_flag("--quiet", arguments->quiet, "Print errors only")->group("Output");
   command->footer(
       "Poses are T_world_camera, stamps in seconds. ATE is reported twice, not aligned and aligned.\n"
@@ -126,7 +143,7 @@ void add_evaluate_command(CLI::App& app, int& exit_code) {
       "  augicp evaluate trajectory.txt groundtruth.txt\n"
       "  augicp evaluate trajectory.txt groundtruth.txt --delta 1 --unit seconds --json errors.json\n"
       "  augicp evaluate monocular.txt groundtruth.txt --align similarity --truth interpolated\n"
-      "  augicp evaluate poses_kitti.txt 00.txt --segments 10,20,50 --beside other.txt");
+      "  augicp evaluate poses_kitti.txt 00.txt --segments 10,20,50 --beside other.txt --report runs.html");
   command->callback([arguments, &exit_code] { exit_code = run_evaluate(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 #include "apps/augicp/page/odometry_view.h"
 #include "apps/augicp/page/parts.h"
 #include "apps/augicp/page/status_strip.h"
+#include "apps/augicp/page/trajectory_lines.h"
 #include "apps/augicp/text/evaluation.h"
 #include "augicp/core/angles.h"
 
@@ -157,7 +158,7 @@ std::string odometry_page(const OdometryPicture& picture) {
                               {"kept", kept_json(picture, view)},
                               {"lidar", picture.is_lidar()},
                               {"has_truth", !view.truth.empty()},
-                              {"truth", truth_lines(view)},
+                              {"truth", trajectory_lines(view.truth, view.centre)},
                               {"extent", view.extent},
                               {"zero", numbers(view.centre)},
                               {"view", camera_json(view)}};

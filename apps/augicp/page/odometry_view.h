@@ -27,8 +27,9 @@ struct OdometryView {
 };
 OdometryView view_of(const OdometryPicture& picture);
 
-// Consecutive true positions, two points per line, as packed points in the page's frame.
-std::string truth_lines(const OdometryView& view);
+// Sets the directions of the view by poses in the page's frame. A camera looks along z with y down; a LiDAR has z up,
+// and x ahead.
+void orient(OdometryView& view, const Trajectory& in_page, bool is_lidar);
 
 nlohmann::ordered_json camera_json(const OdometryView& view);
 std::string top_view_svg(const OdometryRun& run, const OdometryView& view);

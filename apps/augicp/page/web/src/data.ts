@@ -88,11 +88,18 @@ export interface OdometryData {
   view: ViewData;
 }
 
+export interface TrajectoriesData {
+  paths: { name: string; lines: string }[]; // packed points, two a line; the ground truth last
+  zero: [number, number, number]; // of the page in the ground truth's frame, metres
+  view: ViewData;
+}
+
 export interface ReportData {
-  kind: "align" | "odometry" | "experiment";
+  kind: "align" | "odometry" | "trajectories" | "experiment";
   charts: ChartData[];
   align?: AlignData;
   odometry?: OdometryData;
+  trajectories?: TrajectoriesData;
 }
 
 export function readReport(): ReportData {

@@ -7,6 +7,7 @@ import { element } from "./dom";
 import { showExperiment } from "./experiment_page";
 import { noView } from "./missing";
 import { showOdometry } from "./odometry_page";
+import { showTrajectories } from "./trajectories_page";
 
 async function start(stage: HTMLElement): Promise<void> {
   const report = readReport();
@@ -14,6 +15,7 @@ async function start(stage: HTMLElement): Promise<void> {
   document.documentElement.classList.add("live");
   if (report.align) await showAlign(report.align, report.charts, stage);
   else if (report.odometry) await showOdometry(report.odometry, report.charts, stage);
+  else if (report.trajectories) await showTrajectories(report.trajectories, report.charts, stage);
   else showExperiment(report.charts);
 }
 
