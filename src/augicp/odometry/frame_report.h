@@ -10,6 +10,7 @@
 #include "augicp/core/types.h"
 #include "augicp/core/words.h"
 #include "augicp/geometry/rigid3.h"
+#include "augicp/shutter/sweep.h"
 #include "augicp/trust/free_motions.h"
 #include "augicp/trust/status.h"
 
@@ -76,6 +77,9 @@ struct FrameReport {
   // status is Degenerate, the motions that the map leaves open.
   std::optional<Mat6d> covariance;
   std::vector<FreeMotion> free_motions;
+
+  // Of a LiDAR scan that was straightened: the motion during its sweep, see without_skew().
+  std::optional<SweepMotion> motion;
 
   // Of the LiDAR scans that were checked.
   std::optional<DriftCheck> drift;

@@ -34,12 +34,17 @@ constexpr double kKernelPerGate = 0.25;
 // are a large minority of coherent pairs.
 constexpr double kKernelPerMedian = 3.0;
 
+// After a degenerate scan, where its pose is a prediction, a direction needs this many times the least information:
+// a little would pull the next pose along what the last one left free.
+constexpr double kObservabilityAfterDegenerate = 2.0;
+
 constexpr int kMaxIterations = 40;
 constexpr double kMinStepVoxels = 5e-4;
 constexpr double kMinRotationStep = 5e-5;
 
-// A sweep is straightened again where the motion found moves its points by more than this, voxels.
-constexpr double kRedoVoxels = 0.01;
+// A sweep is straightened and registered again while the motion found moves its points by more than this, voxels: once,
+// twice, three times. The motion found with a wrong one is still wrong by a part of it.
+constexpr double kRedoVoxels[] = {0.01, 0.05, 0.05};
 
 // Whether sweeps are skewed is found out on this many scans whose motion bends them by more than this, voxels. Clouds
 // that were straightened by another program, or come at another rate than that of the sweep, are not.
@@ -52,12 +57,12 @@ constexpr double kCorrelationVoxels = 2.0;
 }  // namespace
 
 LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepShares& shares,
-                                               const Rigid3& first_from_last) const {
+                                               const SweepMotion& motion) const {
   Attempt attempt;
   const bool is_skewed = !shares.empty();
-  const Cloud straight = is_skewed ? without_skew(scan, shares, first_from_last, options_.num_threads) : Cloud{};
+  const Cloud straight = is_skewed ? without_skew(scan, shares, motion, options_.num_threads) : Cloud{};
   const Cloud& cloud = is_skewed ? straight : scan;
-  attempt.is_straight = is_skewed;
+  if (is_skewed) attempt.motion = motion;
   attempt.fine = downsample(cloud, std::max(voxel_size_ / kCellsPerVoxel, bounds(cloud).diagonal() / (1 << 20)));
   attempt.fine.directions.clear(), attempt.fine.structures.clear();
   attempt.source = downsample(attempt.fine, voxel_size_ / kSourceCellsPerVoxel);
@@ -80,13 +85,14 @@ AlignOptions LidarOdometry::align_options() const {
   align_by.stop = options_.stop;
   align_by.gates.max_distance = options_.gate_voxels * voxel_size_;
   align_by.min_kernel_chi2 = std::pow(kMinKernel * voxel_size_, 2);
-  align_by.min_observability = options_.min_observability;
+  align_by.min_observability = options_.min_observability * (is_last_degenerate_ ? kObservabilityAfterDegenerate : 1.0);
   align_by.correlation_length = kCorrelationVoxels * voxel_size_;
   return align_by;
 }
 
 void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const {
   AlignOptions align_by = align_options();
+  const double min_observability = align_by.min_observability;
   // A wide gate lets scans slide along what the last one left free, or where nothing is known yet.
   const bool holds_from_afar = !before_last_ || is_last_degenerate_;
   const double least = options_.gate_voxels * voxel_size_;
@@ -98,7 +104,7 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
     align_by.gates.max_distance = gate;
     const double kernel = is_last ? kMinKernel * voxel_size_ : kKernelPerGate * gate;
     align_by.min_kernel_chi2 = kernel * kernel;
-    align_by.min_observability = is_last || holds_from_afar ? options_.min_observability : 0.0;
+    align_by.min_observability = is_last || holds_from_afar ? min_observability : 0.0;
     align_by.correlation_length = is_last && wants_covariance() ? kCorrelationVoxels * voxel_size_ : 0.0;
     const Cloud& target = matcher_->target();
     attempt.result =
@@ -145,20 +151,23 @@ void LidarOdometry::search(Attempt& attempt) const {
 }
 
 LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const {
-  const double typical = typical_distance(voxel_size_);
   const Rigid3 guess = predicted(stamp_s);
-  const Rigid3 motion = motion_of_sweep(stamp_s, guess);
-  Attempt attempt = prepared(scan, shares, motion);
+  Attempt attempt = prepared(scan, shares, motion_of_sweep(stamp_s, guess));
   const double gate =
       before_last_ ? options_.gate_voxels * voxel_size_ + kGatePerError * prediction_error_ : kFirstGate * voxel_size_;
   align_to_map(guess, std::min(gate, kMaxGate * voxel_size_), attempt);
   if (options_.search && attempt.agreement < options_.min_agreement * usual_agreement_) search(attempt);
-  const Rigid3 found = motion_of_sweep(stamp_s, attempt.world_from_sensor);
-  if (shares.empty() || motion_between(motion, found, typical) < kRedoVoxels * voxel_size_) return attempt;
-  Attempt again = prepared(scan, shares, found);
-  align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, again);
-  again.iterations += attempt.iterations;
-  return again;
+  for (const double least_voxels : kRedoVoxels) {
+    const SweepMotion found = motion_of_sweep(stamp_s, attempt.world_from_sensor);
+    if (shares.empty() ||
+        bending_between(*attempt.motion, found, typical_distance(voxel_size_)) < least_voxels * voxel_size_)
+      break;
+    Attempt again = prepared(scan, shares, found);
+    align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, again);
+    again.iterations += attempt.iterations;
+    attempt = std::move(again);
+  }
+  return attempt;
 }
 
 // The scan straightened or as it came: as the trials of earlier scans have decided, or both and the better one.
@@ -167,9 +176,9 @@ LidarOdometry::Attempt LidarOdometry::tried(double stamp_s, const Cloud& scan, c
   const bool is_skewed = options_.deskew && !shares.empty() && (!is_decided || gain_of_deskewing_ > 0.0);
   Attempt attempt = registered(stamp_s, scan, is_skewed ? shares : SweepShares{});
   const double bent =
-      motion_between(motion_of_sweep(stamp_s, attempt.world_from_sensor), Rigid3{}, typical_distance(voxel_size_));
+      bending_between(motion_of_sweep(stamp_s, attempt.world_from_sensor), {}, typical_distance(voxel_size_));
   if (!is_skewed || is_decided || bent < kTrialVoxels * voxel_size_) return attempt;
-  Attempt as_it_came = prepared(scan, {}, Rigid3{});
+  Attempt as_it_came = prepared(scan, {}, SweepMotion{});
   align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, as_it_came);
   const double gain = attempt.agreement - as_it_came.agreement;
   if (gain_of_deskewing_ + gain < 0.0) std::swap(attempt, as_it_came);

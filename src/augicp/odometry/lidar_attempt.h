@@ -15,7 +15,7 @@ struct LidarOdometry::Attempt {
   Rigid3 world_from_sensor;
   double agreement = 0.0, rmse = 0.0;
   int iterations = 0;
-  bool is_straight = false;                 // freed of skew
+  std::optional<SweepMotion> motion;        // with which it was straightened
   std::optional<double> gain_of_deskewing;  // of the agreement, where both were tried
 };
 
@@ -26,6 +26,11 @@ inline double typical_distance(double voxel_size) { return kTypicalDistanceVoxel
 // How far two poses are apart, metres: by their translations, and by what their rotations move a point at a distance.
 inline double motion_between(const Rigid3& a, const Rigid3& b, double typical_distance) {
   return (a.translation - b.translation).norm() + typical_distance * angle_between(a, b);
+}
+
+// By how much two motions during a sweep move its points apart from its begin to its end, metres.
+inline double bending_between(const SweepMotion& a, const SweepMotion& b, double typical_distance) {
+  return (a.velocity - b.velocity).norm() + typical_distance * (a.rotation - b.rotation).norm();
 }
 
 }  // namespace augicp

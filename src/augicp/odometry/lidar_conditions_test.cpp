@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "augicp/geometry/rotation.h"
@@ -86,6 +88,36 @@ TEST(LidarConditions, StartingWhileMoving) { expect_true_poses({street(), straig
 TEST(LidarConditions, StartingWhileTurning) {
   expect_true_poses({street(), from_start({rotation_exp({0.0, 0.0, 1.0}), {2.0, 0.0, 0.0}}), first(6), {}}, 0.004,
                     0.04);
+}
+
+// Root mean square of how far the points of the last sweep, straightened with the motion found, are from where the true
+// motion puts them.
+double straightening_error(const Drive& drive) {
+  const int last = drive.sweeps.back();
+  const double begin_s = last * kSweep_s;
+  const synthetic::Sweep sweep =
+      synthetic::scan(drive.world, street_lidar(), drive.motion, static_cast<unsigned>(last + 1), begin_s);
+  const double middle_s = 0.5 * (sweep.times_s.front() + sweep.times_s.back());
+  const Cloud expected = synthetic::straightened(sweep, drive.motion, begin_s, middle_s);
+  const FrameReport report = tracked(drive).back();
+  if (!report.motion) return std::numeric_limits<double>::infinity();
+  const Cloud straight = without_skew(sweep.cloud, shares_from_times(sweep.times_s), *report.motion, 1);
+  double sum_sq = 0.0;
+  for (std::size_t i = 0; i < straight.size(); ++i)
+    sum_sq += static_cast<double>((straight.points[i] - expected.points[i]).squaredNorm());
+  return std::sqrt(sum_sq / static_cast<double>(straight.size()));
+}
+
+// 15 m/s and 90 degrees a second, along a line and on an arc. They move points by more than half a metre.
+TEST(LidarConditions, SweepsOfFastTurnsAreStraightenedToACentimetre) {
+  const Motion on_an_arc = [](double time_s) {
+    const double rate = 0.5 * std::numbers::pi, radius = 15.0 / rate, angle = rate * time_s;
+    return street().scene.world_from_camera *
+           Rigid3{rotation_exp({0.0, 0.0, angle}), {radius * std::sin(angle), radius * (1.0 - std::cos(angle)), 0.0}};
+  };
+  const Motion along_a_line = from_start({rotation_exp({0.0, 0.0, 0.5 * std::numbers::pi}), {15.0, 0.0, 0.0}});
+  EXPECT_LT(straightening_error({street(), along_a_line, first(8), {}}), 0.01);
+  EXPECT_LT(straightening_error({street(), on_an_arc, first(4), {}}), 0.01);
 }
 
 // It stands for a second, and starts with 4 m/s^2.

@@ -37,9 +37,8 @@ double derived_voxel(const Cloud& scan) {
   return extent > 0.0 ? std::clamp(extent / kVoxelsPerExtent, kMinVoxel, kMaxVoxel) : 0.0;
 }
 
-// As a part of the sweep.
-double after_middle(PoseInstant instant) {
-  return instant == PoseInstant::Begin ? -0.5 : instant == PoseInstant::End ? 0.5 : 0.0;
+double share_of(PoseInstant instant) {
+  return instant == PoseInstant::Begin ? 0.0 : instant == PoseInstant::End ? 1.0 : 0.5;
 }
 
 }  // namespace
@@ -61,22 +60,6 @@ void LidarOptions::check() const {
 }
 
 LidarOdometry::LidarOdometry(const LidarOptions& options) : options_(options) { options.check(); }
-
-// Constant velocity, in the sensor's frame.
-Rigid3 LidarOdometry::predicted(double stamp_s) const {
-  if (!before_last_) return last_->world_from_camera;
-  const Rigid3 motion = inverse(before_last_->world_from_camera) * last_->world_from_camera;
-  const double share = (stamp_s - last_->stamp_s) / (last_->stamp_s - before_last_->stamp_s);
-  return last_->world_from_camera * part_of(motion, share);
-}
-
-// From the last pose to this one; of a sweep that takes only a part of the time between them, that part.
-Rigid3 LidarOdometry::motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const {
-  const double passed_s = stamp_s - last_->stamp_s;
-  double sweep_s = options_.sweep_s > 0.0 ? options_.sweep_s : passed_s;
-  if (options_.sweep_s == 0.0 && shortest_gap_s_ > 0.0) sweep_s = std::min(passed_s, shortest_gap_s_);
-  return part_of(inverse(last_->world_from_camera) * world_from_sensor, sweep_s / passed_s);
-}
 
 FrameStatus LidarOdometry::status_of(const Attempt& attempt) const {
   const AlignStatus status = attempt.result.status;
@@ -113,17 +96,6 @@ void LidarOdometry::merge(double stamp_s, const Attempt& attempt) {
   keyframe_ = Keyframe{attempt.fine, pose};
 }
 
-// The first scan of a segment was taken as it came: only with the second it is known how the sensor moved then.
-void LidarOdometry::straighten_start(const Rigid3& first_from_last) {
-  Attempt attempt = prepared(start_scan_->cloud, start_scan_->shares, first_from_last);
-  attempt.world_from_sensor = keyframe_->world_from_sensor;
-  SurfaceMapOptions map_options;
-  map_options.voxel_size = voxel_size_;
-  map_.emplace(map_options);
-  self_check_.clear();
-  merge(last_->stamp_s, attempt);
-}
-
 void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, FrameReport& report) {
   if (last_) {
     report.world_from_camera = last_->world_from_camera;
@@ -135,15 +107,17 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   SurfaceMapOptions map_options;
   map_options.voxel_size = voxel_size_;
   map_.emplace(map_options);
-  Attempt attempt = prepared(scan, {}, Rigid3{});
+  Attempt attempt = prepared(scan, {}, SweepMotion{});
   attempt.world_from_sensor = report.world_from_camera;
   self_check_.clear();
   num_since_check_ = 0;
   merge(report.stamp_s, attempt);
   start_scan_.reset();
-  if (options_.deskew && !shares.empty()) start_scan_ = StartScan{scan, shares};
+  if (options_.deskew && !shares.empty())
+    start_scan_ = StartScan{scan, shares, {report.stamp_s, report.world_from_camera}, {}};
   usual_agreement_ = prediction_error_ = 0.0;
   before_last_.reset();
+  beyond_arc_ = {};
   is_last_degenerate_ = false;
   last_ = StampedPose{report.stamp_s, report.world_from_camera};
 }
@@ -165,12 +139,7 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
     return report;
   }
   const Rigid3 guess = predicted(stamp_s);
-  if (start_scan_) {
-    const Attempt first = registered(stamp_s, scan, shares);
-    if (status_of(first) == FrameStatus::Lost) start_scan_.reset();
-    if (start_scan_) straighten_start(motion_of_sweep(stamp_s, first.world_from_sensor));
-  }
-  start_scan_.reset();
+  if (start_scan_) straighten_start(stamp_s, scan, shares);
   const Attempt attempt = tried(stamp_s, scan, shares);
   report.status = status_of(attempt);
   if (report.status == FrameStatus::Tracked) report.drift = checked(attempt);
@@ -191,10 +160,9 @@ void LidarOdometry::describe(const Attempt& attempt, FrameReport& report) const 
   for (FreeMotion& motion : report.free_motions) motion.point += matcher_->target().origin;
   if (report.status == FrameStatus::Lost) return;
   report.world_from_camera = attempt.world_from_sensor;
-  if (attempt.is_straight)
-    report.world_from_camera =
-        attempt.world_from_sensor *
-        part_of(motion_of_sweep(report.stamp_s, attempt.world_from_sensor), after_middle(options_.pose_at));
+  report.motion = attempt.motion;
+  if (attempt.motion)
+    report.world_from_camera = attempt.world_from_sensor * attempt.motion->middle_from(share_of(options_.pose_at));
 }
 
 // Takes a scan's pose for the place of the sensor, unless it is lost or doubtful. One that the self-check contradicts
@@ -213,6 +181,7 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
   if (attempt.gain_of_deskewing) gain_of_deskewing_ += *attempt.gain_of_deskewing, ++num_trials_;
   const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
   prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
+  beyond_arc_ = beyond_arc(report.stamp_s, attempt.world_from_sensor);
   is_last_degenerate_ = report.status == FrameStatus::Degenerate;
   before_last_ = last_;
   last_ = StampedPose{report.stamp_s, attempt.world_from_sensor};

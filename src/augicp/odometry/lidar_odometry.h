@@ -119,15 +119,25 @@ class LidarOdometry {
   struct StartScan {
     Cloud cloud;
     SweepShares shares;
+    StampedPose pose;
+    SweepMotion motion;  // with which it was straightened
+  };
+
+  struct Accelerations {  // in the sensor's frame, per sweep^2
+    Vec3d linear = Vec3d::Zero(), angular = Vec3d::Zero();
   };
 
   Rigid3 predicted(double stamp_s) const;
-  Rigid3 motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const;
+  Accelerations beyond_arc(double stamp_s, const Rigid3& world_from_sensor) const;
+  double sweep_s(double passed_s) const;
+  SweepMotion motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const;
   FrameReport added(double stamp_s, const Cloud& scan, const SweepShares& shares);
   FrameReport placed(double stamp_s, const Cloud& scan, const SweepShares& shares);
   void start_segment(const Cloud& scan, const SweepShares& shares, FrameReport& report);
-  void straighten_start(const Rigid3& first_from_last);
-  Attempt prepared(const Cloud& scan, const SweepShares& shares, const Rigid3& first_from_last) const;
+  SweepMotion motion_of_start(double stamp_s, const Rigid3& world_from_sensor) const;
+  void restart_from(const SweepMotion& motion);
+  void straighten_start(double stamp_s, const Cloud& scan, const SweepShares& shares);
+  Attempt prepared(const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
   AlignOptions align_options() const;
   void align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const;
   Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
@@ -151,8 +161,9 @@ class LidarOdometry {
   std::optional<Keyframe> keyframe_;
   SelfCheck self_check_;
   int num_since_check_ = 0;
-  std::optional<StartScan> start_scan_;            // as it came, until a second one tells how the sensor moved
+  std::optional<StartScan> start_scan_;            // as it came, until two more show how the sensor moved
   std::optional<StampedPose> before_last_, last_;  // of this segment
+  Accelerations beyond_arc_;                       // averaged
   std::optional<double> last_stamp_s_;             // of any scan
   double shortest_gap_s_ = 0.0;
   double prediction_error_ = 0.0;  // metres at the distance of a typical point, of the last scans

@@ -8,7 +8,7 @@
 
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
-#include "augicp/shutter/rolling_shutter.h"
+#include "augicp/geometry/rotation.h"
 
 namespace augicp {
 namespace {
@@ -74,6 +74,19 @@ SweepShares shares_between(const std::vector<double>& values, double first, doub
   return shares;
 }
 
+// Between two poses.
+struct MeanRates {
+  Vec3d velocity_in_world;  // metres per second
+  Vec3d rotation;           // radians per second, in the sensor's frame
+};
+
+MeanRates mean_rates(const StampedPose& first, const StampedPose& second) {
+  const Rigid3 &from = first.world_from_camera, &to = second.world_from_camera;
+  const double passed_s = second.stamp_s - first.stamp_s;
+  return {(to.translation - from.translation) / passed_s,
+          rotation_log(from.rotation.conjugate() * to.rotation) / passed_s};
+}
+
 }  // namespace
 
 SweepShares shares_from_times(std::span<const double> times) {
@@ -120,7 +133,46 @@ SweepShares shares_from_azimuth(const Cloud& cloud) {
   return shares;
 }
 
-Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const Rigid3& first_from_last, int num_threads) {
+Rigid3 SweepMotion::middle_from(double share) const {
+  const double since_middle = share - 0.5, half_sq = 0.5 * since_middle * since_middle;
+  return {rotation_exp(since_middle * rotation + half_sq * angular_acceleration),
+          since_middle * velocity + half_sq * acceleration};
+}
+
+SweepMotion motion_of_last(const std::optional<StampedPose>& before_last, const StampedPose& last,
+                           const StampedPose& now, double sweep_s) {
+  const MeanRates rates = mean_rates(last, now);
+  const double passed_s = now.stamp_s - last.stamp_s;
+  Vec3d acceleration, angular_acceleration = Vec3d::Zero();
+  if (before_last) {
+    const MeanRates earlier = mean_rates(*before_last, last);
+    const double between_means_s = 0.5 * (now.stamp_s - before_last->stamp_s);
+    acceleration = (rates.velocity_in_world - earlier.velocity_in_world) / between_means_s;
+    angular_acceleration = (rates.rotation - earlier.rotation) / between_means_s;
+  } else {
+    const Eigen::Quaterniond& from = last.world_from_camera.rotation;
+    const Eigen::Quaterniond halfway = from * rotation_exp(0.5 * passed_s * rates.rotation);
+    acceleration = (halfway * rates.rotation).cross(rates.velocity_in_world);
+  }
+  const Eigen::Quaterniond now_from_world = now.world_from_camera.rotation.conjugate();
+  SweepMotion motion;  // the means are those of half of passed_s ago
+  motion.velocity = now_from_world * Vec3d(rates.velocity_in_world + 0.5 * passed_s * acceleration) * sweep_s;
+  motion.acceleration = now_from_world * acceleration * (sweep_s * sweep_s);
+  motion.rotation = (rates.rotation + 0.5 * passed_s * angular_acceleration) * sweep_s;
+  motion.angular_acceleration = angular_acceleration * (sweep_s * sweep_s);
+  return motion;
+}
+
+SweepMotion later_by(double sweeps, const SweepMotion& motion) {
+  const Eigen::Quaterniond later_from_now = motion.middle_from(0.5 + sweeps).rotation.conjugate();
+  SweepMotion later = motion;
+  later.velocity = later_from_now * Vec3d(motion.velocity + sweeps * motion.acceleration);
+  later.acceleration = later_from_now * motion.acceleration;
+  later.rotation = motion.rotation + sweeps * motion.angular_acceleration;
+  return later;
+}
+
+Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const SweepMotion& motion, int num_threads) {
   if (shares.empty()) return cloud;
   require(shares.size() == cloud.size(), "shares", static_cast<double>(shares.size()), "must be one a point");
   // The pose at a share is looked up in a table: between two entries the sensor has moved by less than a thousandth of
@@ -128,10 +180,8 @@ Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const Rigid3& 
   constexpr std::size_t kNumPoses = 1024;
   std::array<Eigen::Matrix3f, kNumPoses> rotations;
   std::array<Vec3f, kNumPoses> translations;
-  const Rigid3 middle_from_first = inverse(part_of(first_from_last, 0.5));
   for (std::size_t k = 0; k < kNumPoses; ++k) {
-    const Rigid3 middle_from_then =
-        middle_from_first * part_of(first_from_last, (static_cast<double>(k) + 0.5) / kNumPoses);
+    const Rigid3 middle_from_then = motion.middle_from((static_cast<double>(k) + 0.5) / kNumPoses);
     rotations[k] = middle_from_then.rotation.toRotationMatrix().cast<float>();
     translations[k] = (middle_from_then * cloud.origin - cloud.origin).cast<float>();
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "augicp/cloud/cloud.h"
-#include "augicp/geometry/rigid3.h"
+#include "augicp/geometry/trajectory.h"
 
 namespace augicp {
 
@@ -34,8 +34,28 @@ SweepShares shares_from_order(const Cloud& cloud);
 // points: 0.5 (1 - atan2(y, x) / pi). KITTI's scanner turns this way.
 SweepShares shares_from_azimuth(const Cloud& cloud);
 
-// The points as seen from where the sensor was in the middle of the sweep (share 0.5). first_from_last: its motion
-// during the sweep, taken as even. A cloud without shares stays as it is. Directions are turned as well.
-Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const Rigid3& first_from_last, int num_threads);
+// How a sensor moves during a sweep, in its own frame at the middle of the sweep. The unit of time is the sweep.
+struct SweepMotion {
+  Vec3d velocity = Vec3d::Zero();              // metres per sweep
+  Vec3d acceleration = Vec3d::Zero();          // metres per sweep^2
+  Vec3d rotation = Vec3d::Zero();              // radians per sweep, about this axis
+  Vec3d angular_acceleration = Vec3d::Zero();  // radians per sweep^2
+
+  // The pose at a share of the sweep in the frame of the middle (share 0.5), by second-order expansion.
+  Rigid3 middle_from(double share) const;
+};
+
+// The motion during the last of three sweeps, from the poses at their middles: positions and rotations follow the
+// parabolas through the three. Without `before_last`: the sensor keeps its velocity in its own frame, so that it
+// follows an arc, as vehicles do. sweep_s: how long the last sweep takes. REQUIRES: stamps increase.
+SweepMotion motion_of_last(const std::optional<StampedPose>& before_last, const StampedPose& last,
+                           const StampedPose& now, double sweep_s);
+
+// The motion of the sweep that is this number of sweeps later, with the same accelerations; earlier if negative.
+SweepMotion later_by(double sweeps, const SweepMotion& motion);
+
+// The points as seen from where the sensor was in the middle of the sweep. A cloud without shares stays as it is.
+// Directions are rotated as well.
+Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const SweepMotion& motion, int num_threads);
 
 }  // namespace augicp

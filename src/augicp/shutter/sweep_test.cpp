@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -25,10 +27,63 @@ synthetic::Lidar lidar_of(double sigma) {
   return lidar;
 }
 
-// A turn while driving: 15 m/s and 90 degrees a second.
-synthetic::Motion fast_motion(const Rigid3& world_from_sensor) {
-  return synthetic::moving_evenly(world_from_sensor,
-                                  {rotation_exp({0.0, 0.0, 0.5 * std::numbers::pi}), {15.0, 0.0, 0.0}});
+// 15 m/s and 90 degrees a second: along a line while rotating, on an arc as vehicles do, and braking from 15 m/s.
+constexpr double kSpeed = 15.0, kRate = 0.5 * std::numbers::pi;
+
+synthetic::Motion along_a_line(const Rigid3& world_from_sensor) {
+  return synthetic::moving_evenly(world_from_sensor, {rotation_exp({0.0, 0.0, kRate}), {kSpeed, 0.0, 0.0}});
+}
+
+synthetic::Motion on_an_arc(const Rigid3& world_from_sensor) {
+  return [=](double time_s) {
+    const double angle = kRate * time_s, radius = kSpeed / kRate;
+    return world_from_sensor *
+           Rigid3{rotation_exp({0.0, 0.0, angle}), {radius * std::sin(angle), radius * (1.0 - std::cos(angle)), 0.0}};
+  };
+}
+
+synthetic::Motion braking(const Rigid3& world_from_sensor) {
+  return [=](double time_s) {
+    return world_from_sensor *
+           Rigid3{Eigen::Quaterniond::Identity(), {kSpeed * time_s - 4.0 * time_s * time_s, 0.0, 0.0}};
+  };
+}
+
+synthetic::Motion rotating_faster(const Rigid3& world_from_sensor) {
+  return [=](double time_s) {
+    return world_from_sensor * Rigid3{rotation_exp({0.0, 0.0, 4.0 * time_s * time_s}), Vec3d::Zero()};
+  };
+}
+
+struct Case {
+  synthetic::Motion motion;
+  double begin_s;  // of the sweep
+  synthetic::Sweep sweep;
+};
+
+Case measured(const std::function<synthetic::Motion(const Rigid3&)>& moving, double begin_s) {
+  const testing::Scene street = synthetic::street(3);
+  const synthetic::Motion motion = moving(street.world_from_camera);
+  return {motion, begin_s, synthetic::scan({street, {}}, lidar_of(0.0), motion, 1, begin_s)};
+}
+
+double middle_s(const Case& of) { return 0.5 * (of.sweep.times_s.front() + of.sweep.times_s.back()); }
+
+double duration_s(const Case& of) { return of.sweep.times_s.back() - of.sweep.times_s.front(); }
+
+StampedPose true_pose(const Case& of, double gaps_later) {
+  const double time_s = of.begin_s + middle_s(of) + 0.1 * gaps_later;
+  return {time_s, of.motion(time_s)};
+}
+
+// The largest distance between the points that are straightened with a motion and with the true one.
+float largest_error(const Case& of, const SweepMotion& motion) {
+  const Cloud expected = synthetic::straightened(of.sweep, of.motion, of.begin_s, middle_s(of));
+  const Cloud straight = without_skew(of.sweep.cloud, shares_from_times(of.sweep.times_s), motion, 1);
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < straight.size(); ++i)
+    largest = std::max(largest, (straight.points[i] - expected.points[i]).norm());
+  return largest;
 }
 
 TEST(Sweep, SharesDoNotDependOnTheUnitOrTheZeroOfTimes) {
@@ -98,27 +153,44 @@ TEST(Sweep, AzimuthsGoClockwiseFromBehindTheSensor) {
   for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_NEAR(shares[i], expected[i], 0.01f);
 }
 
-TEST(Sweep, StraightenedPointsAreThoseOfTheTrueMotion) {
-  const synthetic::Lidar lidar = lidar_of(0.0);
-  const testing::Scene street = synthetic::street(3);
-  const synthetic::Motion motion = fast_motion(street.world_from_camera);
-  const synthetic::Sweep sweep = synthetic::scan({street, {}}, lidar, motion, 1);
-  const Rigid3 first_from_last = inverse(motion(sweep.times_s.front())) * motion(sweep.times_s.back());
-  const double middle_s = 0.5 * (sweep.times_s.front() + sweep.times_s.back());
-  const Cloud expected = synthetic::straightened(sweep, motion, 0.0, middle_s);
-  const Cloud straight = without_skew(sweep.cloud, shares_from_times(sweep.times_s), first_from_last, 1);
-  double largest_skew = 0.0;
-  for (std::size_t i = 0; i < straight.size(); ++i) {
-    EXPECT_LT((straight.points[i] - expected.points[i]).norm(), 0.01f);
-    largest_skew = std::max(largest_skew, static_cast<double>((sweep.cloud.points[i] - expected.points[i]).norm()));
+// Parabolas through the poses leave the third order of a motion, a few millimetres of an arc's.
+TEST(Sweep, PointsAreStraightenedWithTheMotionThroughThreePoses) {
+  for (const auto& moving : {along_a_line, on_an_arc, braking, rotating_faster}) {
+    const Case of = measured(moving, 0.3);
+    const SweepMotion motion =
+        motion_of_last(true_pose(of, -2.0), true_pose(of, -1.0), true_pose(of, 0.0), duration_s(of));
+    EXPECT_LT(largest_error(of, motion), 0.015f);
+    EXPECT_GT(largest_error(of, {}), 0.3f);
   }
-  EXPECT_GT(largest_skew, 1.0);
+}
+
+TEST(Sweep, UnevenGapsBetweenPosesGiveTheSameParabola) {
+  const Case of = measured(braking, 0.5);
+  const SweepMotion motion =
+      motion_of_last(true_pose(of, -5.0), true_pose(of, -1.0), true_pose(of, 0.0), duration_s(of));
+  EXPECT_LT(largest_error(of, motion), 0.003f);
+}
+
+TEST(Sweep, TwoPosesAreOnAnArc) {
+  const Case of = measured(on_an_arc, 0.3);
+  const SweepMotion motion = motion_of_last(std::nullopt, true_pose(of, -1.0), true_pose(of, 0.0), duration_s(of));
+  EXPECT_LT(largest_error(of, motion), 0.006f);
+}
+
+TEST(Sweep, TheMotionOfAnEarlierSweepFollowsFromItsAccelerations) {
+  for (const auto& moving : {along_a_line, braking, rotating_faster}) {
+    const Case of = measured(moving, 0.3);
+    const double sweep_s = duration_s(of);
+    const SweepMotion later = motion_of_last(true_pose(of, 0.0), true_pose(of, 1.0), true_pose(of, 2.0), sweep_s);
+    EXPECT_LT(largest_error(of, later_by(-0.2 / sweep_s, later)), 0.01f);
+  }
 }
 
 TEST(Sweep, WithoutSharesPointsStayAndOddSharesAreRefused) {
   Cloud cloud;
   cloud.points = {{1.0f, 2.0f, 3.0f}};
-  const Rigid3 motion{rotation_exp({0.1, 0.0, 0.0}), {1.0, 0.0, 0.0}};
+  SweepMotion motion;
+  motion.velocity = {1.0, 0.0, 0.0};
   EXPECT_EQ(without_skew(cloud, {}, motion, 1).points, cloud.points);
   EXPECT_THROW(without_skew(cloud, {0.0f, 1.0f}, motion, 1), std::invalid_argument);
 }

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// How the sensor of LidarOdometry moves: between scans, during a sweep, and during the first one.
+#include <algorithm>
+
+#include "augicp/odometry/lidar_attempt.h"
+#include "augicp/shutter/rolling_shutter.h"
+
+namespace augicp {
+namespace {
+
+// The first scan is straightened again while the second one's pose moves its points by more than this, and where the
+// third one's pose does. The map then begins with the first scan anew. Voxels.
+constexpr double kRedoBySecondVoxels = 0.02;
+constexpr double kRedoByThirdVoxels = 0.25;
+constexpr int kMaxStartRounds = 4;
+
+// Of the last sweep in the average of accelerations.
+constexpr double kShareOfLast = 0.5;
+
+}  // namespace
+
+// Constant velocity, in the sensor's frame.
+Rigid3 LidarOdometry::predicted(double stamp_s) const {
+  if (!before_last_) return last_->world_from_camera;
+  const Rigid3 motion = inverse(before_last_->world_from_camera) * last_->world_from_camera;
+  const double share = (stamp_s - last_->stamp_s) / (last_->stamp_s - before_last_->stamp_s);
+  return last_->world_from_camera * part_of(motion, share);
+}
+
+// Of a sweep this long after the last pose.
+double LidarOdometry::sweep_s(double passed_s) const {
+  if (options_.sweep_s > 0.0) return options_.sweep_s;
+  return shortest_gap_s_ > 0.0 ? std::min(passed_s, shortest_gap_s_) : passed_s;
+}
+
+// By how much the motion of the sweep at this pose differs from an arc, as averaged over the last ones. Second
+// differences of poses are noisy, and a scan straightened with too much of them gets a pose that is as wrong on the
+// other side. Where motions are free, poses are partly predictions, and show no acceleration.
+LidarOdometry::Accelerations LidarOdometry::beyond_arc(double stamp_s, const Rigid3& world_from_sensor) const {
+  if (!before_last_ || is_last_degenerate_) return {};
+  const StampedPose now{stamp_s, world_from_sensor};
+  const double duration_s = sweep_s(stamp_s - last_->stamp_s);
+  const SweepMotion arc = motion_of_last(std::nullopt, *last_, now, duration_s);
+  const SweepMotion found = motion_of_last(before_last_, *last_, now, duration_s);
+  return {beyond_arc_.linear + kShareOfLast * (found.acceleration - arc.acceleration - beyond_arc_.linear),
+          beyond_arc_.angular + kShareOfLast * (found.angular_acceleration - beyond_arc_.angular)};
+}
+
+// Of the sweep at this pose.
+SweepMotion LidarOdometry::motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const {
+  const double passed_s = stamp_s - last_->stamp_s, duration_s = sweep_s(passed_s);
+  SweepMotion motion = motion_of_last(std::nullopt, *last_, {stamp_s, world_from_sensor}, duration_s);
+  const Accelerations more = beyond_arc(stamp_s, world_from_sensor);
+  const double since_mean = 0.5 * passed_s / duration_s;  // sweeps
+  motion.velocity += since_mean * more.linear;
+  motion.acceleration += more.linear;
+  motion.rotation += since_mean * more.angular;
+  motion.angular_acceleration += more.angular;
+  return motion;
+}
+
+// Of the first sweep, from the same poses.
+SweepMotion LidarOdometry::motion_of_start(double stamp_s, const Rigid3& world_from_sensor) const {
+  const double sweeps = (stamp_s - start_scan_->pose.stamp_s) / sweep_s(stamp_s - last_->stamp_s);
+  return later_by(-sweeps, motion_of_sweep(stamp_s, world_from_sensor));
+}
+
+void LidarOdometry::restart_from(const SweepMotion& motion) {
+  start_scan_->motion = motion;
+  Attempt attempt = prepared(start_scan_->cloud, start_scan_->shares, motion);
+  attempt.world_from_sensor = start_scan_->pose.world_from_camera;
+  SurfaceMapOptions map_options;
+  map_options.voxel_size = voxel_size_;
+  map_.emplace(map_options);
+  self_check_.clear();
+  merge(start_scan_->pose.stamp_s, attempt);
+}
+
+// The first scan of a segment was taken as it came: only the second one shows how the sensor moved then, and the third
+// whether it followed an arc. Both scans show the same motion, so that it is found again with what the last one gave.
+void LidarOdometry::straighten_start(double stamp_s, const Cloud& scan, const SweepShares& shares) {
+  const bool is_third = before_last_.has_value();
+  const double least = (is_third ? kRedoByThirdVoxels : kRedoBySecondVoxels) * voxel_size_;
+  for (int round = 0; start_scan_ && round < kMaxStartRounds && !is_last_degenerate_; ++round) {
+    const Attempt attempt = registered(stamp_s, scan, shares);
+    if (status_of(attempt) == FrameStatus::Lost) break;
+    const SweepMotion found = motion_of_start(stamp_s, attempt.world_from_sensor);
+    if (bending_between(found, start_scan_->motion, typical_distance(voxel_size_)) < least) break;
+    restart_from(found);
+  }
+  if (is_third) start_scan_.reset();
+}
+
+}  // namespace augicp
