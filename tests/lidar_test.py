@@ -72,6 +72,14 @@ def rows_of(path):
         return list(csv.DictReader(file))
 
 
+def points_of(path):
+    header, body = path.read_bytes().split(b"end_header\n", 1)
+    forms = {"float": "<f4", "double": "<f8", "uchar": "u1"}
+    properties = [line.split()[1:] for line in header.decode().splitlines() if line.startswith("property")]
+    rows = np.frombuffer(body, np.dtype([(name, forms[kind]) for kind, name in properties]))
+    return np.column_stack([rows[axis] for axis in "xyz"]).astype(float)
+
+
 class Lidar(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -159,14 +167,27 @@ class Lidar(unittest.TestCase):
         self.assertTrue((rows["c00"] > 0.0).all())
 
     def test_the_map_is_where_the_walls_are(self):
-        header, body = (self.root / "map.ply").read_bytes().split(b"end_header\n", 1)
-        forms = {"float": "<f4", "double": "<f8", "uchar": "u1"}
-        properties = [line.split()[1:] for line in header.decode().splitlines() if line.startswith("property")]
-        rows = np.frombuffer(body, np.dtype([(name, forms[kind]) for kind, name in properties]))
-        points = np.column_stack([rows[axis] for axis in "xyz"]).astype(float)
+        points = points_of(self.root / "map.ply")
         self.assertGreater(len(points), 500)
         # The world is the frame of the first scan, in which the hall is given.
         self.assertGreater(np.mean(distances_to_walls(points) < 0.05), 0.9)
+
+    def test_tiles_of_the_map_are_its_squares(self):
+        whole = points_of(self.root / "map.ply")
+        folder = self.root / "tiles"
+        folder.mkdir()
+        result = run(self.scans, "--output", self.root / "tiled", "--point-times", "none", "--map", folder / "map.ply",
+                     "--map-tile", 8, "--quiet")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        tiles = {tuple(map(int, path.stem.split("_")[1:])): points_of(path) for path in folder.iterdir()}
+        squares = {tuple(square) for square in np.floor(whole[:, :2] / 8.0).astype(int)}
+        self.assertEqual(set(tiles), squares)
+        self.assertGreater(len(squares), 2)
+        for square, points in tiles.items():
+            self.assertTrue((np.abs(points[:, :2] - 8.0 * (np.array(square) + 0.5)) <= 4.0 + 1e-4).all(), square)
+        together = np.vstack(list(tiles.values()))
+        order = [np.lexsort(np.round(points, 3).T) for points in (whole, together)]
+        self.assertTrue(np.allclose(whole[order[0]], together[order[1]], atol=2e-3))
 
     def test_the_metrics_name_the_sequence(self):
         self.assertEqual(json.loads((self.output / "metrics.json").read_text())["sequence"], str(self.scans))
@@ -187,7 +208,8 @@ class Lidar(unittest.TestCase):
         empty = self.root / "empty"
         empty.mkdir(exist_ok=True)
         for arguments in ([empty], [empty, "--sensor", "lidar"], [self.scans, "--first", "99"],
-                          [self.scans, "--point-times", "sometimes"], [self.scans, "--map", "map.xyz"]):
+                          [self.scans, "--point-times", "sometimes"], [self.scans, "--map", "map.xyz"],
+                          [self.scans, "--map", "map.ply", "--map-tile", 0]):
             refused = run(*arguments, "--output", self.root / "refused")
             self.assertNotIn(refused.returncode, (0, 4, 5), arguments)
             self.assertTrue(refused.stderr)

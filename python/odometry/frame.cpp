@@ -17,6 +17,19 @@ py::object registration(const FrameReport& frame) {
   return frame.registration ? word_member("Status", name_of(*frame.registration)) : py::none();
 }
 
+py::object drift(const FrameReport& frame) {
+  if (!frame.drift) return py::none();
+  const DriftCheck& check = *frame.drift;
+  py::dict numbers;
+  numbers["keyframe_stamp"] = check.keyframe_stamp_s;
+  numbers["distance_m"] = check.distance_m;
+  numbers["drift_m"] = check.drift_m;
+  numbers["drift_deg"] = check.drift_deg;
+  numbers["expected_m"] = check.expected_m;
+  numbers["contradicts"] = check.contradicts;
+  return numbers;
+}
+
 std::string in_words(const FrameReport& frame) {
   return "<augicp.Frame at " + std::to_string(frame.stamp_s) + " s: " + std::string(name_of(frame.status)) +
          (frame.problem.empty() ? "" : " (" + frame.problem + ")") + ">";
@@ -42,6 +55,12 @@ void bind_frame(py::module_& module) {
   type.def_readonly("overlap", &FrameReport::overlap, "Share of its points with a correspondence, 0 to 1.");
   type.def_readonly("rmse", &FrameReport::rmse, "Root mean square of the distances within the pairs, metres.");
   type.def_readonly("strain", &FrameReport::strain, "Strain of the evidence, see Evidence.");
+  type.def_property_readonly(
+      "drift", &drift,
+      "Of a LiDAR scan that was also registered directly to a keyframe farther back: a new dictionary with "
+      "keyframe_stamp "
+      "(seconds), distance_m to it, drift_m and drift_deg between the two poses, expected_m by their covariances, and "
+      "whether the direct pose contradicts. Otherwise None.");
   type.def_readonly("problem", &FrameReport::problem, "In words; empty if there is none.");
   type.def("__bool__", [](const FrameReport& frame) {
     return frame.status == FrameStatus::Tracked || frame.status == FrameStatus::Started;

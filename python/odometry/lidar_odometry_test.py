@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """LiDAR odometry: scans of a generated hall along a known path, and the command's numbers."""
+import csv
 import math
 
 import numpy as np
@@ -61,6 +62,28 @@ def test_the_trajectory_is_the_command_s(scans, tracked, tmp_path):
     command = augicp.read_trajectory(tmp_path / "out" / "trajectory.txt")
     # The quaternions in the file are normalised again when it is read.
     assert np.allclose(command.poses, tracked[0].trajectory.poses, rtol=0, atol=1e-12)
+
+
+def test_the_drift_of_checked_frames_is_the_command_s(scans, tmp_path):
+    (tmp_path / "scans").mkdir()
+    odometry = augicp.LidarOdometry(check_every=2, covariance=True)
+    drifts = []
+    for k, points in enumerate(scans):
+        np.column_stack([points, np.zeros(len(points), np.float32)]).astype("<f4").tofile(tmp_path / "scans" / f"{k}.bin")
+        odometry.add(points, 0.1 * k, "none")
+        drifts.append(odometry.last_frame.drift)
+    finished = run_command("odometry", tmp_path / "scans", "--point-times", "none", "--check-every", "2", "--output", tmp_path / "out",
+                           "--quiet")
+    assert finished.returncode == 0, finished.stderr
+    with open(tmp_path / "out" / "frames.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [k for k, drift in enumerate(drifts) if drift] == [k for k, row in enumerate(rows) if row["drift_m"]] == [2, 4]
+    for k in (2, 4):
+        assert drifts[k]["drift_m"] == pytest.approx(float(rows[k]["drift_m"]), rel=1e-3)
+        assert drifts[k]["drift_deg"] == pytest.approx(float(rows[k]["drift_deg"]), rel=1e-3, abs=1e-4)
+        assert drifts[k]["distance_m"] == pytest.approx(np.linalg.norm(true_pose(k)[:3, 3]), abs=0.03)
+        assert drifts[k]["keyframe_stamp"] == 0.0 and not drifts[k]["contradicts"]
+        assert drifts[k]["drift_m"] < drifts[k]["expected_m"] + 0.02
 
 
 def test_times_of_points_in_any_unit(scans):

@@ -29,6 +29,7 @@ constexpr double kSaveEvery_ms = 5000.0;
 // A map with more points is written in tiles with edges of this length, metres.
 constexpr std::size_t kMaxPointsOfAMap = 2'000'000;
 constexpr double kTile = 100.0;
+constexpr double kMinTile = 1.0, kMaxTile = 1e6;
 
 FrameReport report_on(LidarOdometry& odometry, ScanReader& reader, const LidarInput& input, std::size_t row,
                       int segment) {
@@ -91,10 +92,12 @@ void update(std::optional<MapArchive>& map, const LidarOdometry& odometry, const
   if (is_last || map->is_due(place)) map->update(odometry.map(), place);
 }
 
-// One file, or if it would be large, one for each square, whose name ends in the square's number along x and y.
-void write_map(const fs::path& path, const MapArchive& map) {
-  const bool is_large = map.size() > kMaxPointsOfAMap;
-  for (const auto& [number, cloud] : map.tiles(is_large ? kTile : std::numeric_limits<double>::infinity())) {
+// One file, or tiles, if they are wanted or the file would be large: one for each square, whose name ends in the
+// square's number along x and y.
+void write_map(const fs::path& path, const MapArchive& map, const std::optional<double>& wanted_tile) {
+  const bool is_large = wanted_tile || map.size() > kMaxPointsOfAMap;
+  const double edge = is_large ? wanted_tile.value_or(kTile) : std::numeric_limits<double>::infinity();
+  for (const auto& [number, cloud] : map.tiles(edge)) {
     const std::string name =
         fmt::format("{}_{}_{}{}", path.stem().string(), number[0], number[1], path.extension().string());
     write_whole([&, &tile = cloud] { write_cloud(is_large ? path.parent_path() / name : path, tile); });
@@ -149,7 +152,13 @@ void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
   command.add_option("--map-voxel", arguments.odometry.voxel_size, "Voxels of the map, metres (default: derived)")
       ->group(group);
   add_options(command, arguments.odometry, {"remove_seen_through", "check_every", "check_distance_voxels"});
-  command.add_option("--map", arguments.map, "Write the map, .ply or .pcd; large ones in tiles of 100 m")->group(group);
+  command.add_option("--map", arguments.map, "Write the map, .ply or .pcd")->group(group);
+  command
+      .add_option("--map-tile", arguments.map_tile,
+                  "Write the map in squares with edges of this length, metres (default: in one file up to two million "
+                  "points, else squares of 100 m)")
+      ->check(CLI::Range(kMinTile, kMaxTile))
+      ->group(group);
 }
 
 OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& arguments) {
@@ -161,7 +170,7 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   OdometryRun run = track_scans(input, odometry, arguments.map.empty() && arguments.mcap.empty() ? nullptr : &map);
   require_readable(run, "scan");
   save(run, input.output);
-  if (!arguments.map.empty() && map && map->size() > 0) write_map(arguments.map, *map);
+  if (!arguments.map.empty() && map && map->size() > 0) write_map(arguments.map, *map, arguments.map_tile);
   if (!arguments.mcap.empty()) write_mcap(arguments.mcap, run, input, map);
   return run;
 }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace augicp::app {
 struct LidarArguments {
   std::string point_times = "auto";  // see point_times_of()
   std::string map;                   // a file for the map; empty: none
+  std::optional<double> map_tile{};  // edge of the map's squares, metres; empty: squares only for large maps
   std::string mcap;                  // a file for poses, scans and map; empty: none
   LidarOptions odometry;
 };
