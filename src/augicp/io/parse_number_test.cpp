@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/parse_number.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <string>
 
 #include "augicp/testing/decimal_comma.h"
@@ -34,9 +38,22 @@ TEST(ParseNumber, NotFiniteIsANumberThatIsNotFinite) {
   EXPECT_EQ(parse_double("0." + std::string(400, '0') + "1"), 0.0);
 }
 
+TEST(ParseNumber, SeventeenDigitsAreEveryNumberAgain) {
+  std::mt19937_64 random(26);
+  for (int i = 0; i < 20000; ++i) {
+    const double number = std::bit_cast<double>(random());
+    if (!std::isfinite(number)) continue;
+    const auto parsed = parse_double(fmt::format("{:.17g}", number));
+    ASSERT_TRUE(parsed) << number;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(*parsed), std::bit_cast<std::uint64_t>(number));
+  }
+}
+
 TEST(ParseNumber, RefusesWhatIsNotAllANumber) {
-  for (const char* text : {"", " ", "x", "1,5", "1.5 ", " 1.5", "1.5m", "+-1", "++1", "0x10", "1e", "--1", "."})
+  for (const char* text : {"",    " ", "x",   "1,5",  "1.5 ", " 1.5",   "1.5m", "+-1", "++1", "0x10", "1e",
+                           "--1", ".", "\t1", "-\n1", "1\v",  "-0x1p3", "nan ", "1_0", "e5",  "+ 1"})
     EXPECT_FALSE(parse_double(text)) << '"' << text << '"';
+  EXPECT_FALSE(parse_double(std::string("1\0", 2)));
 }
 
 TEST(ParseNumber, CountsAreDigitsBelowTwoToThe64) {
