@@ -194,6 +194,18 @@ class WorkTest(unittest.TestCase):
         (self.folder / "scan.e57").write_bytes(b"ASTM-E57")
         self.assertIn("pdal translate", run("info", self.folder / "scan.e57").stderr)
 
+    def test_the_advice_on_a_folder_works(self):
+        for folder in (ROOM, DESK, PROJECT / "data"):  # of the folders below, the one with the most files
+            finished = run("align", folder, ROOM / "target.ply")
+            self.assertEqual(finished.returncode, 3)
+            advice = shlex.split(re.search(r": augicp (.*)", finished.stderr)[1])
+            more = ["--camera", "tum-fr1", "--last", 2, "--output", self.folder / folder.name] if advice[0] == "odometry" else []
+            self.assertEqual(run(*advice, *more).returncode, 0, advice)
+
+    def test_a_recording_that_is_not_there_is_none(self):
+        for name in ("missing.mcap", "missing.bag", "missing.db3#3"):
+            self.assertIn("No such file", run("align", self.folder / name, ROOM / "target.ply").stderr)
+
     def test_a_failed_run_leaves_no_folder(self):
         output = self.folder / "made"
         finished = run("odometry", DESK, "--camera", "500 500 9 9", "--depth-scale", 1, "--last", 2, "--output", output)

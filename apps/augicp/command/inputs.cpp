@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
+#include <vector>
 
 #include "apps/augicp/command/depth_input.h"
 #include "apps/augicp/command/interruption.h"
@@ -21,23 +23,45 @@
 namespace augicp::app {
 namespace {
 
-// What can be done with a folder in the place of a file.
+// Files of a folder that are of a kind, and the folders below it with the most of them, whose names are the least.
+struct FilesOfKind {
+  std::map<std::filesystem::path, std::vector<std::filesystem::path>> by_folder;
+
+  void add(const std::filesystem::path& path) { by_folder[path.parent_path()].push_back(path); }
+
+  std::vector<std::filesystem::path> most() const {
+    std::vector<std::filesystem::path> found;
+    for (const auto& [folder, files] : by_folder)
+      if (files.size() > found.size()) found = files;
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+};
+
+// What can be done with a folder in the place of a file: its two clouds are aligned, and more of them are tracked, in
+// the folder that has them.
 std::string folder_advice(const std::filesystem::path& folder) {
-  std::size_t num_scans = 0, num_images = 0;
+  FilesOfKind scans, images;
   std::error_code error;
   for (std::filesystem::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string extension = lower_case_extension(entry->path());
-    num_scans += extension == ".ply" || extension == ".pcd" || extension == ".bin" ? 1 : 0;
-    num_images += extension == ".png" ? 1 : 0;
+    if (extension == ".ply" || extension == ".pcd" || extension == ".bin") scans.add(entry->path());
+    if (extension == ".png") images.add(entry->path());
   }
-  std::string text = fmt::format("{}: is a folder, expected one cloud or depth image", folder.string());
-  if (num_scans + num_images > 0)
-    text +=
-        fmt::format("; its {} are tracked by: augicp odometry {}",
-                    num_scans > num_images ? fmt::format("{} scans", num_scans) : fmt::format("{} images", num_images),
-                    folder.string());
-  return text;
+  const auto found_scans = scans.most(), found_images = images.most();
+  const bool are_scans = found_scans.size() > found_images.size();
+  const auto& found = are_scans ? found_scans : found_images;
+  const std::string text = fmt::format("{}: is a folder, expected one cloud or depth image", folder.string());
+  if (found.empty()) return text;
+  if (are_scans && found.size() == 2)
+    return text +
+           fmt::format("; its two clouds are aligned by: augicp align {} {}", found[0].string(), found[1].string());
+  // TUM's list of images, and the colour images beside them, are in the folder above.
+  const std::filesystem::path in = found.front().parent_path(),
+                              sequence = !are_scans && in.filename() == "depth" ? in.parent_path() : in;
+  return text + fmt::format("; {} {} are tracked by: augicp odometry {}", found.size(), are_scans ? "scans" : "images",
+                            sequence.string());
 }
 
 [[noreturn]] void refuse_topic(const std::string& topic, const std::filesystem::path& path) {
@@ -45,6 +69,7 @@ std::string folder_advice(const std::filesystem::path& folder) {
 }
 
 [[noreturn]] void refuse_recording(const std::filesystem::path& path) {
+  const BagReader exists(path);
   throw IoError(
       fmt::format("{0}: is a recording, expected one cloud or depth image; its first is {1}, and 'augicp info {0}' "
                   "lists its topics for --topic; it is tracked by: augicp odometry {0}",

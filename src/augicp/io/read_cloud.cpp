@@ -64,6 +64,12 @@ CloudFile read_message(const BagMessageName& name, const ReadOptions& options) {
   return parse_cloud_message(name.text(), reader.message(name.number), options);
 }
 
+[[noreturn]] void refuse_recording(const std::filesystem::path& path) {
+  const BagReader exists(path);
+  throw io_error(path, fmt::format("is a recording, expected one cloud; the first of its clouds is {}",
+                                   BagMessageName{path, {}, 0}.text()));
+}
+
 }  // namespace
 
 CloudFile parse_cloud(const FileBytes& file, const ReadOptions& options) {
@@ -72,9 +78,7 @@ CloudFile parse_cloud(const FileBytes& file, const ReadOptions& options) {
 
 CloudFile read_cloud(const std::filesystem::path& path, const ReadOptions& options) {
   if (const auto name = parse_bag_message_name(path)) return read_message(*name, options);
-  if (is_bag(path))
-    throw io_error(path, fmt::format("is a recording, expected one cloud; the first of its clouds is {}",
-                                     BagMessageName{path, {}, 0}.text()));
+  if (is_bag(path)) refuse_recording(path);
   const Format& format = format_of(path);
   return format.parse(read_bytes(path), options);
 }
