@@ -190,6 +190,17 @@ class Bags(unittest.TestCase):
             self.assertEqual((odom.header.frame_id, odom.child_frame_id), ("map", "sensor"))
             t = transforms.transforms[0]
             self.assertEqual((t.header.frame_id, t.child_frame_id, t.transform.translation.x), ("map", "sensor", p.x))
+        # A pose moved by its twist meets the middle of its neighbours' motion: R v = dp / dt, and the angle is that between them.
+        for k in range(1, NUM_SCANS - 1):
+            twist, w = odometry[k][1].twist.twist, lambda v: np.array([v.x, v.y, v.z])
+            duration = poses[k + 1, 0] - poses[k - 1, 0]
+            x, y, z, s = poses[k, 4:]
+            rotation = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * s), 2 * (x * z + y * s)],
+                                 [2 * (x * y + z * s), 1 - 2 * (x * x + z * z), 2 * (y * z - x * s)],
+                                 [2 * (x * z - y * s), 2 * (y * z + x * s), 1 - 2 * (x * x + y * y)]])
+            np.testing.assert_allclose(rotation @ w(twist.linear) * duration, poses[k + 1, 1:4] - poses[k - 1, 1:4], atol=1e-6)
+            cosine = abs(poses[k + 1, 4:] @ poses[k - 1, 4:])
+            self.assertAlmostEqual(np.linalg.norm(w(twist.angular)) * duration, 2 * np.arccos(min(1.0, cosine)), 4)
         # The file's are about the last keyframe, those of the recording about the sensor.
         listed = np.genfromtxt(self.root / "with/covariances.csv", delimiter=",", skip_header=1)[:, 1:]
         keyframes = [row["keyframe"] == "1" for row in rows_of(self.root / "with/frames.csv")]

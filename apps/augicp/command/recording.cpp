@@ -7,6 +7,7 @@
 
 #include "apps/augicp/command/interruption.h"
 #include "augicp/core/error.h"
+#include "augicp/geometry/rotation.h"
 #include "augicp/io/mcap_writer.h"
 #include "augicp/trust/covariance.h"
 
@@ -27,9 +28,10 @@ class PoseTopics {
         tf_(writer.add_topic("/tf", tf_type())),
         odometry_(writer.add_topic("/odometry", odometry_type())) {}
 
-  void write(std::int64_t stamp_ns, const Rigid3& pose, const std::optional<Mat6d>& covariance) {
+  void write(std::int64_t stamp_ns, const Rigid3& pose, const std::optional<Mat6d>& covariance,
+             const Twist& twist = {}) {
     writer_.write(tf_, stamp_ns, tf_message({stamp_ns, parent_}, child_, pose));
-    writer_.write(odometry_, stamp_ns, odometry_message({stamp_ns, parent_}, child_, pose, covariance));
+    writer_.write(odometry_, stamp_ns, odometry_message({stamp_ns, parent_}, child_, pose, covariance, twist));
   }
 
  private:
@@ -70,6 +72,24 @@ class CovarianceAtSensor {
   Vec3d keyframe_ = Vec3d::Zero();
 };
 
+// The nearest row with a pose of the same segment, in this direction; the row itself if there is none.
+std::size_t neighbour(const std::vector<FrameRow>& rows, std::size_t row, int direction) {
+  for (std::size_t i = row + direction; i < rows.size(); i += direction)  // below 0 it is beyond the size
+    if (has_pose(rows[i].report.status)) return rows[i].report.segment == rows[row].report.segment ? i : row;
+  return row;
+}
+
+// The motion from the pose before to the one behind, as an even one; zero if there is neither.
+Twist twist_at(const std::vector<FrameRow>& rows, std::size_t row) {
+  const FrameReport &before = rows[neighbour(rows, row, -1)].report, &behind = rows[neighbour(rows, row, 1)].report;
+  const double duration_s = behind.stamp_s - before.stamp_s;
+  if (!(duration_s > 0.0)) return {};
+  const Rigid3 &first = before.world_from_camera, &last = behind.world_from_camera;
+  const Eigen::Quaterniond sensor_from_world = rows[row].report.world_from_camera.rotation.conjugate();
+  return {sensor_from_world * (last.translation - first.translation) / duration_s,
+          rotation_log(first.rotation.conjugate() * last.rotation) / duration_s};
+}
+
 void write_scan(CloudTopic& topic, std::int64_t stamp_ns, const FrameRow& row,
                 const std::function<CloudFile(const FrameRow&)>& cloud_of) {
   std::optional<CloudFile> file;
@@ -98,10 +118,11 @@ void write_odometry_mcap(const fs::path& path, const OdometryRun& run, const Clo
     // At the front, so that players show it from the beginning.
     if (!map.empty())
       CloudTopic(writer, "/map", "map").write(nanoseconds(run.rows.front().report.stamp_s), {map, std::nullopt, {}});
-    for (const FrameRow& row : run.rows) {
+    for (std::size_t i = 0; i < run.rows.size(); ++i) {
+      const FrameRow& row = run.rows[i];
       if (!has_pose(row.report.status)) continue;
       const std::int64_t stamp_ns = nanoseconds(row.report.stamp_s);
-      poses.write(stamp_ns, row.report.world_from_camera, covariance.of(row.report));
+      poses.write(stamp_ns, row.report.world_from_camera, covariance.of(row.report), twist_at(run.rows, i));
       write_scan(points, stamp_ns, row, cloud_of);
     }
     writer.commit();

@@ -131,14 +131,14 @@ std::string tf_message(const StampedFrame& parent, const std::string& child, con
 }
 
 std::string odometry_message(const StampedFrame& parent, const std::string& child, const Rigid3& parent_from_child,
-                             const std::optional<Mat6d>& covariance) {
+                             const std::optional<Mat6d>& covariance, const Twist& twist) {
   CdrWriter message;
   put_header(message, parent);
   message.text(child);
   put_pose(message, parent_from_child);
   put_matrix(message, covariance.value_or(Mat6d::Zero()));
-  put_vector(message, Vec3d::Zero());
-  put_vector(message, Vec3d::Zero());
+  put_vector(message, twist.linear);
+  put_vector(message, twist.angular);
   put_matrix(message, Mat6d::Zero());
   return std::move(message).taken();
 }

@@ -37,9 +37,14 @@ std::string point_cloud2_message(const StampedFrame& header, const CloudFile& fi
 // One transform, as tf2_msgs/TFMessage: the child's coordinates into those of the header's frame.
 std::string tf_message(const StampedFrame& parent, const std::string& child, const Rigid3& parent_from_child);
 
-// nav_msgs/Odometry with a twist of zero. covariance: of an increment on the left about the child's place, order tx ty
-// tz rx ry rz, metres and radians; none is written as zeros.
+// Of a frame, in its own axes: metres and radians per second.
+struct Twist {
+  Vec3d linear = Vec3d::Zero(), angular = Vec3d::Zero();
+};
+
+// nav_msgs/Odometry. covariance: of an increment on the left about the child's place, order tx ty tz rx ry rz, metres
+// and radians; none is written as zeros, and so is the covariance of the twist.
 std::string odometry_message(const StampedFrame& parent, const std::string& child, const Rigid3& parent_from_child,
-                             const std::optional<Mat6d>& covariance);
+                             const std::optional<Mat6d>& covariance, const Twist& twist = {});
 
 }  // namespace augicp
