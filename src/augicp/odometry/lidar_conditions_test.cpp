@@ -178,6 +178,33 @@ TEST(LidarConditions, TheSelfCheckCanBeLeftOut) {
   for (const FrameReport& report : tracked(drive)) EXPECT_FALSE(report.drift);
 }
 
+// Forwards and backwards over ten scans, 240 scans in all. Where scans are only noise apart, single points
+// fall into further voxels; without a bound each of the keyframes would add its few hundred.
+TEST(LidarConditions, OverKnownPlacesTheMapDoesNotGrow) {
+  constexpr int kNumPlaces = 10, kRound = 2 * (kNumPlaces - 1), kNumScans = 240;
+  synthetic::Lidar lidar = street_lidar();
+  lidar.num_azimuths = 240;
+  std::vector<Cloud> scans;
+  for (int k = 0; k < kNumPlaces; ++k)
+    scans.push_back(synthetic::scan(street().scene, lidar, straight(6.0)(0.25 * k), static_cast<unsigned>(k + 1)));
+  LidarOptions options;
+  options.num_threads = 1;
+  options.voxel_size = 0.6;
+  LidarOdometry odometry(options);
+  std::size_t after_two_rounds = 0;
+  int num_keyframes = 0;
+  for (int k = 0; k < kNumScans; ++k) {
+    const int place = std::abs((k + kNumPlaces - 1) % kRound - (kNumPlaces - 1));
+    const FrameReport report = odometry.add(0.25 * k, scans[static_cast<std::size_t>(place)]);
+    ASSERT_EQ(report.status, k == 0 ? FrameStatus::Started : FrameStatus::Tracked) << "scan " << k;
+    num_keyframes += report.is_keyframe;
+    if (k == 2 * kRound) after_two_rounds = odometry.num_voxels();
+  }
+  EXPECT_GT(num_keyframes, kNumScans / 4);
+  EXPECT_GT(after_two_rounds, 1000u);
+  EXPECT_LT(odometry.num_voxels(), after_two_rounds + after_two_rounds / 50);
+}
+
 // Points of the map in the frame of the world, inside an upright box on the ground.
 std::size_t num_in_box(const LidarOdometry& odometry, const Rigid3& world_from_first, const Vec3d& foot,
                        const Vec3d& size) {
