@@ -76,7 +76,7 @@ LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepSha
 
 AlignOptions LidarOdometry::align_options() const {
   AlignOptions align_by;
-  align_by.information = plane_information();
+  align_by.information = options_.parts.information;
   align_by.kernel_per_median = kKernelPerMedian;
   align_by.max_iterations = kMaxIterations;
   align_by.min_translation_step = kMinStepVoxels * voxel_size_;

@@ -69,9 +69,7 @@ void LidarOdometry::restart_from(const SweepMotion& motion) {
   start_scan_->motion = motion;
   Attempt attempt = prepared(start_scan_->cloud, start_scan_->shares, motion);
   attempt.world_from_sensor = start_scan_->pose.world_from_camera;
-  SurfaceMapOptions map_options;
-  map_options.voxel_size = voxel_size_;
-  map_.emplace(map_options);
+  map_ = empty_map();
   self_check_.clear();
   merge(start_scan_->pose.stamp_s, attempt);
 }

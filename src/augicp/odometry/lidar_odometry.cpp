@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "augicp/core/check.h"
 #include "augicp/odometry/lidar_attempt.h"
@@ -84,9 +85,17 @@ void LidarOdometry::remove_seen_through(const Attempt& attempt) {
   map_->forget_at(places);
 }
 
+SurfaceMap LidarOdometry::empty_map() const {
+  SurfaceMapOptions map_options;
+  map_options.voxel_size = voxel_size_;
+  if (!options_.parts.has_edges) map_options.min_scans_of_edge = std::numeric_limits<int>::max();
+  return SurfaceMap(map_options);
+}
+
 void LidarOdometry::merge(double stamp_s, const Attempt& attempt) {
   const Rigid3& pose = attempt.world_from_sensor;
   if (options_.remove_seen_through) remove_seen_through(attempt);
+  if (options_.parts.is_last_scan_alone) map_ = empty_map();
   map_->add(attempt.fine, pose);
   map_->forget_beyond(pose.translation, options_.reach_voxels * voxel_size_);
   if (options_.check_every > 0)
@@ -104,9 +113,7 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   report.status = FrameStatus::Started;
   report.is_keyframe = true;
   report.segment = segment_;
-  SurfaceMapOptions map_options;
-  map_options.voxel_size = voxel_size_;
-  map_.emplace(map_options);
+  map_ = empty_map();
   Attempt attempt = prepared(scan, {}, SweepMotion{});
   attempt.world_from_sensor = report.world_from_camera;
   self_check_.clear();
@@ -186,7 +193,8 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
   before_last_ = last_;
   last_ = StampedPose{report.stamp_s, attempt.world_from_sensor};
   const Rigid3 since = inverse(keyframe_->world_from_sensor) * attempt.world_from_sensor;
-  const bool is_far = since.translation.norm() > options_.keyframe_distance_voxels * voxel_size_ ||
+  const bool is_far = options_.parts.is_last_scan_alone ||
+                      since.translation.norm() > options_.keyframe_distance_voxels * voxel_size_ ||
                       angle_between(since, Rigid3{}) > options_.keyframe_angle;
   report.is_keyframe = is_far && report.status != FrameStatus::Doubtful;
   if (report.is_keyframe) merge(report.stamp_s, attempt);

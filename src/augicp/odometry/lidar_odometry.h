@@ -10,6 +10,7 @@
 
 #include "augicp/geometry/trajectory.h"
 #include "augicp/match/matcher.h"
+#include "augicp/objective/information.h"
 #include "augicp/odometry/odometry.h"
 #include "augicp/odometry/self_check.h"
 #include "augicp/odometry/surface_map.h"
@@ -23,6 +24,13 @@ template <>
 inline constexpr auto kWords<PoseInstant> = std::to_array<Word<PoseInstant>>({{PoseInstant::Begin, "begin"},
                                                                               {PoseInstant::Middle, "middle"},
                                                                               {PoseInstant::End, "end"}});
+
+// Parts of the method that can be left out, to measure what each of them does.
+struct LidarParts {
+  InformationModel information = plane_information();  // of the pairs
+  bool has_edges = true;                               // lines of several scans in a voxel are edges
+  bool is_last_scan_alone = false;                     // a scan is registered to the one before it, not to the map
+};
 
 struct LidarOptions {
   // Edge length of the map's voxels, metres. Not set: a part of the first scan's extent. Every other length is in
@@ -74,6 +82,8 @@ struct LidarOptions {
 
   // After this number of lost or doubtful scans in a row, the next one starts a new segment of the trajectory.
   int max_lost = 10;
+
+  LidarParts parts;
 
   bool covariance = false;  // see FrameReport; takes about a tenth of the time
   int num_threads = 0;      // 0: all the machine's
@@ -137,6 +147,7 @@ class LidarOdometry {
   SweepMotion motion_of_start(double stamp_s, const Rigid3& world_from_sensor) const;
   void restart_from(const SweepMotion& motion);
   void straighten_start(double stamp_s, const Cloud& scan, const SweepShares& shares);
+  SurfaceMap empty_map() const;
   Attempt prepared(const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
   AlignOptions align_options() const;
   void align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -216,6 +217,27 @@ TEST(LidarOdometry, AStopLeavesEverythingAsItWas) {
   stop.request_stop();
   EXPECT_THROW(odometry.add(drive()[1].stamp_s, drive()[1].cloud), Interrupted);
   EXPECT_EQ(odometry.map().points, undisturbed.map().points);
+}
+
+std::size_t num_edges(const Cloud& cloud) {
+  return static_cast<std::size_t>(std::count(cloud.structures.begin(), cloud.structures.end(), Structure::Edge));
+}
+
+TEST(LidarOdometry, PartsCanBeLeftOut) {
+  LidarOptions all = one_thread(), no_edges = one_thread(), last_scan = one_thread();
+  no_edges.parts.has_edges = false;
+  last_scan.parts.is_last_scan_alone = true;
+  LidarOdometry with_all(all), without_edges(no_edges), to_last(last_scan);
+  for (const Timed& scan : drive())
+    for (LidarOdometry* odometry : {&with_all, &without_edges, &to_last})
+      odometry->add(scan.stamp_s, scan.cloud, scan.shares);
+  EXPECT_GT(num_edges(with_all.map()), 0u);
+  EXPECT_EQ(num_edges(without_edges.map()), 0u);
+  LidarOdometry last_alone(all);
+  last_alone.add(drive().back().stamp_s, drive().back().cloud);
+  EXPECT_NEAR(static_cast<double>(to_last.num_voxels()), static_cast<double>(last_alone.num_voxels()),
+              0.15 * static_cast<double>(last_alone.num_voxels()));
+  EXPECT_GT(with_all.num_voxels(), to_last.num_voxels() + to_last.num_voxels() / 4);
 }
 
 TEST(LidarOdometry, OptionsOutOfRangeAreRefused) {
