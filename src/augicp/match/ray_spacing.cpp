@@ -21,10 +21,10 @@ constexpr std::size_t kMinSlopes = 20;
 constexpr double kMinEvenness = 0.88;
 // Sensors have -0.06 to 0.14. Surfaces sampled evenly have -1, fused fragments of rooms -0.66 to -0.98.
 constexpr double kMaxGrowth = 0.3;
-// Of sensors whose lines nearly meet. They have 0.05 to 0.09 from their place and 0.13 to 0.25 from places around it;
-// rooms joined from several views have 0.02 to 0.33 from anywhere, and up to -0.24 for the growth.
-constexpr double kMaxGrowthUnlessEven = 0.1, kMaxShareBehind = 0.1, kMaxOfShareAround = 0.5;
-constexpr float kAround = 0.3f;  // of the median range
+// Of sensors whose lines nearly meet. They have 0.05 to 0.09 from their place, 0.41 to 0.57 of what they have from a
+// place beside it. Rooms joined from several views have 0.99 of that and more, and up to -0.24 for the growth.
+constexpr double kMaxGrowthUnlessEven = 0.1, kMaxShareBehind = 0.1, kMaxOfShareBeside = 0.75;
+constexpr float kBeside = 0.3f;  // of the median range, along no wall in particular
 
 float at_quantile(const std::vector<float>& values, double quantile) {
   return value_at_rank(values, static_cast<std::size_t>(quantile * static_cast<double>(values.size())));
@@ -59,18 +59,12 @@ float median_range(std::span<const RayPatch> patches) {
   return upper_median(std::move(ranges));
 }
 
-double mean_share_around(const Cloud& cloud, const Vec3f& place, float distance, float tolerance) {
-  double sum = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-    sum += share_behind(ray_patches(cloud, place + distance * Vec3f::Unit(axis)), tolerance);
-  return sum / 3.0;
-}
-
 // Whether so few points lie behind others that this is where they were seen from.
 bool is_seen_from(const Vec3f& place, const Cloud& cloud, std::span<const RayPatch> patches, float tolerance) {
   const double share = share_behind(patches, tolerance);
   if (!(share <= kMaxShareBehind)) return false;
-  return share <= kMaxOfShareAround * mean_share_around(cloud, place, kAround * median_range(patches), tolerance);
+  const Vec3f beside = place + kBeside * median_range(patches) * Vec3f::Ones().normalized();
+  return share <= kMaxOfShareBeside * share_behind(ray_patches(cloud, beside), tolerance);
 }
 
 }  // namespace
