@@ -11,5 +11,8 @@ frame: ``x_in_target = T_target_source @ x_in_source``. The same input gives bit
 threads. Every function may be called from several Python threads at once and releases the GIL while it works. Ctrl-C ends
 the long ones. Exceptions of augicp derive from ``augicp.Error``.
 """
-from augicp._augicp import *  # noqa: F401,F403
-from augicp._augicp import __all__, __version__  # noqa: F401
+from augicp import _numpy
+
+_numpy.check()
+from augicp._augicp import *  # noqa: E402,F401,F403
+from augicp._augicp import __all__, __version__  # noqa: E402,F401
