@@ -13,8 +13,15 @@
 namespace augicp {
 namespace {
 
+bool fits(const AlignResult& result, const AlignResult& best, const std::optional<Rigid3>& led_to_by_guess) {
+  if (!result.evidence) return false;
+  const bool is_of_guess = led_to_by_guess && led_to_by_guess->matrix() == result.target_from_source.matrix();
+  return fits_as_well(*result.evidence, *best.evidence) || (is_of_guess && may_fit(*result.evidence, *best.evidence));
+}
+
 // The first result, ambiguous if others that fit as well differ clearly from it and from each other.
-AlignResult with_runners_up(std::vector<AlignResult> results, const ScanPair& pair) {
+AlignResult with_runners_up(std::vector<AlignResult> results, const ScanPair& pair,
+                            const std::optional<Rigid3>& led_to_by_guess = {}) {
   AlignResult best = std::move(results.front());
   if (best.status != AlignStatus::Converged) return best;
   std::vector<Rigid3> known{best.target_from_source};
@@ -24,7 +31,7 @@ AlignResult with_runners_up(std::vector<AlignResult> results, const ScanPair& pa
     const bool is_new = std::all_of(known.begin(), known.end(), [&](const Rigid3& pose) {
       return differ_clearly(pair.source.cloud, other, pose, kClearlyPerRadius * pair.lengths.radius);
     });
-    if (!is_new || !results[k].evidence || !fits_as_well(*results[k].evidence, *best.evidence)) continue;
+    if (!is_new || !fits(results[k], best, led_to_by_guess)) continue;
     known.push_back(other);
     best.runners_up.push_back({other, *results[k].evidence});
   }
@@ -84,26 +91,39 @@ bool convinces(const std::vector<AlignResult>& results) {
   return std::any_of(results.begin(), results.end(), is_supported);
 }
 
+// Along what is free a pose stays at the guess. Elsewhere on a flat field, or upside down, it is no candidate.
+std::vector<AlignResult> at_guess_along_free(std::vector<AlignResult> results, const Guess& guess) {
+  std::erase_if(results, [&](const AlignResult& result) {
+    return guess && result.status == AlignStatus::Degenerate && has_left_along_free(result, *guess);
+  });
+  return results;
+}
+
 // The guess between clouds leads to a result of its own. Only if that does not convince, other starts compete with it:
 // those around it and, if none convinces, those that need no guess. What convinces is compared with what the scene's
 // symmetries make of it.
 AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options) {
-  const FullResolution full = indexed(pair, options.global ? Guess{} : guess, options);
+  const Guess known = options.global ? Guess{} : guess;
+  const FullResolution full = indexed(pair, known, options);
   const auto lead_on = [&](const Rigid3& start, Turn turn) { return full.from(start, turn); };
   std::vector<AlignResult> results;
   if (!options.global) results.push_back(full.from(guess));
   if (!options.global && !options.search) return std::move(results.front());
-  if (!options.global && !convinces(results)) append(from_each(full, searched(pair, guess, options)), results);
-  if (!convinces(results)) append(from_global_starts(pair, full, lead_on, options), results);
+  if (!options.global && !convinces(results))
+    append(at_guess_along_free(from_each(full, searched(pair, guess, options)), known), results);
+  if (!convinces(results))
+    append(at_guess_along_free(from_global_starts(pair, full, lead_on, options), known), results);
   if (results.empty()) return full.from(guess);
   // Where nothing convinces, a pose that stays at the guess along its free motions is not left for another doubtful
   // one.
   const bool stays = !options.global && results.front().status == AlignStatus::Degenerate && !convinces(results);
+  std::optional<Rigid3> led_to_by_guess;
+  if (!options.global) led_to_by_guess = results.front().target_from_source;
   if (!stays) results = best_first(std::move(results));
   // The evidence compares shapes. Rivals that brightness tells apart look alike to it.
   if (results.front().status == AlignStatus::Converged && results.front().num_intensity_pairs == 0)
     append(from_each(full, rivals_of(results.front(), pair, full, options)), results);
-  return with_runners_up(std::move(results), pair);
+  return with_runners_up(std::move(results), pair, led_to_by_guess);
 }
 
 // If that does not convince either, starts that need no guess compete with it.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/match/ray_spacing.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/registration/start/rivals.h"
 #include "augicp/trust/motion_probe.h"
@@ -42,6 +43,10 @@ constexpr std::size_t kMaxTestedPixels = 20000;
 
 Cloud tested(const Scan& scan) {
   return scan.view && scan.cloud.size() > kMaxTestedPixels ? evenly_chosen(scan.cloud, kMaxTestedPixels) : scan.cloud;
+}
+
+std::optional<Vec3f> known_place(const Scan& scan) {
+  return scan.place_is_known ? std::optional(assumed_place(scan.cloud)) : std::nullopt;
 }
 
 FreeDirections free_of(const AlignResult& result) {
@@ -146,13 +151,17 @@ bool FullResolution::is_gain(const AlignResult& again, const AlignResult& result
 // The result from a start, once the scans have said which of its doubtful directions are free.
 AlignResult FullResolution::asked(AlignResult first, const Rigid3& start) const {
   const Cloud source = tested(pair_.source), target = tested(pair_.target);
-  const MotionProbe probe(source, target, tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
-  const bool was_at_guess =
-      first.free_motions.empty() || !guess_target_from_source_ || start.matrix() == guess_target_from_source_->matrix();
+  const MotionProbe probe({source, known_place(pair_.source)}, {target, known_place(pair_.target)},
+                          tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
+  // What becomes free on the way was not, where the loop began.
+  const bool may_have_left =
+      !first.free_motions.empty() && guess_target_from_source_ &&
+      (start.matrix() != guess_target_from_source_->matrix() || has_left_along_free(first, *guess_target_from_source_));
   // The way back to the guess may be long: a motion that is free nearby is not for ever.
-  if (!was_at_guess)
+  if (may_have_left)
     if (AlignResult at_guess = aligned(start, free_of(first));
-        has_pose(at_guess.status) && probe.compared(at_guess.target_from_source, first.target_from_source) >= 0)
+        has_pose(at_guess.status) &&
+        (!probe.can_tell() || probe.compared(at_guess.target_from_source, first.target_from_source) >= 0))
       first = std::move(at_guess);
   AlignResult result = first;
   for (int round = 0; round < kMaxRounds && has_pose(result.status); ++round) {

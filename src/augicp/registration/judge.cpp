@@ -65,13 +65,7 @@ double moved(const Cloud& source, const Rigid3& from_pose, const Rigid3& to_pose
   return std::sqrt(moved_sq / spread_sq);
 }
 
-// Degenerate promises that the pose is at the guess along the free motions. Far from it there may be no way back, which
-// a pose that is contradicted does not hide behind that status.
 constexpr double kMaxMoveAlongFree = 0.01;  // gyration radii
-bool has_left_along_free(const AlignResult& result, const Rigid3& guess_target_from_source) {
-  const Vec6d moved = increment_between(guess_target_from_source, result.target_from_source);
-  return moved_along(result.observability, static_cast<int>(result.free_motions.size()), moved) > kMaxMoveAlongFree;
-}
 
 }  // namespace
 
@@ -161,6 +155,11 @@ AlignResult Judge::judged(AlignResult result) const {
   result.doubts = verdict.doubts;
   result.evidence = evidence;
   return result;
+}
+
+bool has_left_along_free(const AlignResult& result, const Rigid3& guess_target_from_source) {
+  const Vec6d moved = increment_between(guess_target_from_source, result.target_from_source);
+  return moved_along(result.observability, static_cast<int>(result.free_motions.size()), moved) > kMaxMoveAlongFree;
 }
 
 bool is_supported(const AlignResult& judged) {

@@ -54,6 +54,10 @@ class Judge {
   std::unique_ptr<ScanMatcher> target_says_, source_says_;       // what they are compared with; null: matcher_
 };
 
+// Whether a pose is not at the guess along what is free there. Degenerate promises that it is. Far from the guess there
+// may be no way back, which a pose that is contradicted does not hide behind that status.
+bool has_left_along_free(const AlignResult& result, const Rigid3& guess_target_from_source);
+
 // Whether the evidence supports the pose: it converged, or some of its motions are free and there is no doubt about the
 // others.
 bool is_supported(const AlignResult& judged);

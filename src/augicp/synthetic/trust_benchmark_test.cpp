@@ -140,6 +140,18 @@ TEST(TrustBenchmark, DegenerateNeverMeansMovedAlongWhatIsNamed) {
   EXPECT_LT(row.largest_move, 0.0101);
 }
 
+// The half-turned pose among columns is supported, and the right one is refused by a hair: no answer is the only one.
+TEST(TrustBenchmark, ColonnadesNeverConvergeHalfATurnOff) {
+  EXPECT_EQ(row_of_family("lidar colonnade", {7002, 7004, 7040}).wrong_converged, 0U);
+}
+
+// Without noise the scan lines of a field lie in one plane, but are no drawing; and a search does not end upside down.
+TEST(TrustBenchmark, FieldsWithoutNoiseStayAtTheGuess) {
+  const TrustRow row = row_of_family("lidar field", {7008, 7040});
+  EXPECT_EQ(row.degenerate, 2U);
+  EXPECT_LT(row.largest_move, 1e-3);
+}
+
 // Neither scan lines nor noise hold the way along a corridor, and the pose stays at the guess along it.
 TEST(TrustBenchmark, CorridorsAreDegenerate) {
   for (const char* name : {"lidar corridor", "lidar tunnel", "lidar field"}) {

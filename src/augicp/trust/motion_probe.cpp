@@ -32,6 +32,7 @@ constexpr double kMinOffsetAtBorder = 0.3;
 // Of a drawing: its thickness by its extent, squared (that of rounding), and the share of points on lines.
 constexpr double kMaxThicknessSq = 1e-10;
 constexpr double kMinShareOfLines = 0.9;
+constexpr double kMaxPlaceOffPlaneSq = 1e-4;  // of the variance along its longest axis
 
 // A motion is spoken of if the points that it moves off a surface exceed those that it moves onto one by this share of
 // all that agree, and by this many deviations of their number. Bare corridors and tunnels stay below 0.011 along their
@@ -80,26 +81,34 @@ int num_sides(const Cloud& cloud, std::uint32_t point, const std::vector<Neighbo
 }
 
 // Whether all points lie in one plane, and on lines in it: a drawing, or a scan of a single line. Its lines are its
-// surface.
-bool is_drawing(const Cloud& cloud) {
+// surface. What a sensor off the plane saw are the scan lines of a field, which move with the sensor.
+bool is_drawing_of_lines(const ProbedCloud& probed) {
+  const Cloud& cloud = probed.cloud;
   std::vector<Neighbour> all(cloud.size());
   for (std::uint32_t i = 0; i < cloud.size(); ++i) all[i].index = i;
-  const Eigen::SelfAdjointEigenSolver<Mat3d> solver(scatter_of(cloud, all), Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Mat3d> solver(scatter_of(cloud, all));
+  const double largest = solver.eigenvalues()[2];
+  if (!(solver.eigenvalues()[0] <= kMaxThicknessSq * largest)) return false;
   const auto num_edges = std::count(cloud.structures.begin(), cloud.structures.end(), Structure::Edge);
-  return solver.eigenvalues()[0] <= kMaxThicknessSq * solver.eigenvalues()[2] &&
-         static_cast<double>(num_edges) > kMinShareOfLines * static_cast<double>(cloud.size());
+  if (!(static_cast<double>(num_edges) > kMinShareOfLines * static_cast<double>(cloud.size()))) return false;
+  if (!probed.sensor_place) return true;
+  const double off_plane = solver.eigenvectors().col(0).dot(probed.sensor_place->cast<double>() - mean_of(cloud, all));
+  return off_plane * off_plane * static_cast<double>(cloud.size()) <= kMaxPlaceOffPlaneSq * largest;
 }
 
 }  // namespace
 
-MotionProbe::MotionProbe(const Cloud& source, const Cloud& target, const AgreementTolerance& tolerance, double radius)
+MotionProbe::Asked::Asked(const ProbedCloud& of)
+    : cloud(of.cloud), tree(of.cloud), is_drawing(is_drawing_of_lines(of)) {}
+
+MotionProbe::MotionProbe(const ProbedCloud& source, const ProbedCloud& target, const AgreementTolerance& tolerance,
+                         double radius)
     : tolerance_(tolerance), radius_(radius), source_(source), target_(target) {
   choose_witnesses(source_);
   choose_witnesses(target_);
 }
 
 void MotionProbe::choose_witnesses(Asked& scan) const {
-  scan.is_drawing = is_drawing(scan.cloud);
   const std::size_t count = std::min(kNumWitnesses, scan.cloud.size());
   for (std::size_t k = 0; k < count; ++k) {
     const auto point = static_cast<std::uint32_t>(k * scan.cloud.size() / count);

@@ -13,6 +13,14 @@
 
 namespace augicp {
 
+// A cloud that is asked, which must outlive it. sensor_place: of the sensor whose scan it is known to be, metres,
+// relative to the cloud's origin.
+struct ProbedCloud {
+  ProbedCloud(const Cloud& of, const std::optional<Vec3f>& seen_from = {}) : cloud(of), sensor_place(seen_from) {}
+  const Cloud& cloud;
+  std::optional<Vec3f> sensor_place;
+};
+
 // Moves the source a little from a pose, and counts the points of both scans that lie on the other's surface before and
 // not afterwards, or the other way round. A motion that changes as many of them for the better as for the worse is
 // free.
@@ -25,7 +33,7 @@ class MotionProbe {
  public:
   // Both clouds with directions. tolerance.per_depth counts from each cloud's zero. radius: of the balls in which their
   // surfaces were estimated, metres.
-  MotionProbe(const Cloud& source, const Cloud& target, const AgreementTolerance& tolerance, double radius);
+  MotionProbe(const ProbedCloud& source, const ProbedCloud& target, const AgreementTolerance& tolerance, double radius);
 
   // Whether the surroundings of most points are known. Otherwise silence means nothing.
   bool can_tell() const;
@@ -42,10 +50,10 @@ class MotionProbe {
   enum class Answer : std::uint8_t { Agrees, Differs, None };
 
   struct Asked {
-    explicit Asked(const Cloud& of) : cloud(of), tree(of) {}
+    explicit Asked(const ProbedCloud& of);
     const Cloud& cloud;
     KdTree tree;
-    bool is_drawing = false;
+    bool is_drawing;
     std::vector<std::uint32_t> witnesses;
   };
 

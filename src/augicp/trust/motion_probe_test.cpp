@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/surface/ball_neighbourhood.h"
 #include "augicp/surface/estimate_surface.h"
@@ -84,6 +87,22 @@ TEST(MotionProbe, ScanLinesSayNothingOfTheWayAlongACorridor) {
     const std::vector<Vec6d> ways{translation(Vec3d::UnitX()), translation(Vec3d::UnitY())};
     EXPECT_EQ(probe.spoken_of({}, ways), (std::vector<bool>{false, true})) << num_rings;
   }
+}
+
+// Lines in one plane are a drawing, unless a sensor above the plane saw them: then they are scan lines.
+TEST(MotionProbe, ScanLinesOfAFlatFieldAreNoDrawing) {
+  Cloud rings;
+  for (const double ring_m : {3.0, 6.0, 10.0})
+    for (int k = 0; k < 600; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / 600.0;
+      rings.points.push_back(Vec3d(ring_m * std::cos(angle), ring_m * std::sin(angle), 0.0).cast<float>());
+      rings.directions.push_back(Vec3d(-std::sin(angle), std::cos(angle), 0.0).cast<float>());
+      rings.structures.push_back(Structure::Edge);
+    }
+  EXPECT_TRUE(MotionProbe(rings, rings, {.distance = 0.1}, 0.3).can_tell());
+  const ProbedCloud from_above(rings, Vec3f(0.0f, 0.0f, 1.7f)), in_plane(rings, Vec3f(0.5f, 0.0f, 0.0f));
+  EXPECT_FALSE(MotionProbe(from_above, from_above, {.distance = 0.1}, 0.3).can_tell());
+  EXPECT_TRUE(MotionProbe(in_plane, in_plane, {.distance = 0.1}, 0.3).can_tell());
 }
 
 TEST(MotionProbe, CannotTellWherePointsAreFartherApartThanTheTolerance) {

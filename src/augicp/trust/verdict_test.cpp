@@ -116,6 +116,19 @@ TEST(Verdict, ARivalFitsAsWellIfItsEvidenceIsAsGood) {
   EXPECT_TRUE(fits_as_well(far, good_evidence()));
 }
 
+// A pose that a limit refuses by little may still be the right one; one that many refuse, or that still moves, is not.
+TEST(Verdict, WhatTheGuessLeadsToMayFitThoughALimitRefusesIt) {
+  Evidence of_guess = good_evidence();
+  of_guess.target_in_source.count = {.agree = 770, .differ = 230};
+  EXPECT_FALSE(fits_as_well(of_guess, good_evidence()));
+  EXPECT_TRUE(may_fit(of_guess, good_evidence()));
+  Evidence moving = of_guess;
+  moving.last_step = 1e-2;
+  EXPECT_FALSE(may_fit(moving, good_evidence()));
+  of_guess.target_in_source.count = {.agree = 680, .differ = 320};
+  EXPECT_FALSE(may_fit(of_guess, good_evidence()));
+}
+
 // Without free space a contradiction is merely unseen: what leaves more of it unseen is the worse pose.
 TEST(Verdict, ARivalMustSeeAsMuchWhereFreeSpaceIsUnknown) {
   Evidence best = good_evidence(), rival = best;
