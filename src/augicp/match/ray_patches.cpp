@@ -12,7 +12,8 @@ namespace {
 
 // Rays of a patch: fewer tell no distribution, more cost their square.
 constexpr std::size_t kMinRays = 16, kTypicalRays = 64;
-constexpr std::size_t kNumRays = 8000;  // of all patches together
+constexpr std::size_t kNumRays = 8000;                   // of all patches together
+constexpr std::size_t kMaxPairs = std::size_t{1} << 22;  // of rays of a patch, which are compared with each other
 constexpr int kMinCellsPerEdge = 8, kMaxCellsPerEdge = 128;
 
 constexpr std::uint32_t kNoCell = UINT32_MAX;
@@ -61,16 +62,25 @@ std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& counts, std:
   return patches;
 }
 
-// Each with each: a patch is small.
+// Each with each in a small patch. All points of a cloud that is far from the place lie in one patch: some of its rays,
+// spread evenly over it, are then compared with all, so that the cost grows no faster than the number of points.
+std::size_t num_compared(std::size_t num_rays) {
+  return std::min(num_rays, std::max(kTypicalRays, kMaxPairs / std::max<std::size_t>(num_rays, 1)));
+}
+
+float spacing_at(std::size_t ray, const std::vector<Vec3f>& directions) {
+  float nearest_sq = 4.0f;  // of the opposite direction
+  for (std::size_t other = 0; other < directions.size(); ++other)
+    if (other != ray) nearest_sq = std::min(nearest_sq, (directions[other] - directions[ray]).squaredNorm());
+  return std::sqrt(nearest_sq);
+}
+
 void measure_spacing(RayPatch& patch) {
   std::vector<Vec3f> directions;
   for (const Vec3f& ray : patch.rays) directions.push_back(ray.normalized());
-  for (const Vec3f& one : directions) {
-    float nearest_sq = 4.0f;  // of the opposite direction
-    for (const Vec3f& other : directions)
-      if (&other != &one) nearest_sq = std::min(nearest_sq, (other - one).squaredNorm());
-    patch.spacing.push_back(std::sqrt(nearest_sq));
-  }
+  const std::size_t count = num_compared(directions.size());
+  for (std::size_t k = 0; k < count; ++k)
+    patch.spacing.push_back(spacing_at(k * directions.size() / count, directions));
 }
 
 }  // namespace

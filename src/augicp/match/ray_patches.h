@@ -11,7 +11,7 @@ namespace augicp {
 
 struct RayPatch {
   std::vector<Vec3f> rays;     // from the place to points, metres, in the cloud's order; none is zero
-  std::vector<float> spacing;  // to the nearest other ray of the patch, radians
+  std::vector<float> spacing;  // to the nearest other ray of the patch, radians; in a very full one of some of its rays
 };
 
 // Patches around a place (relative to the cloud's origin, metres), spread evenly over all that have enough points to

@@ -61,6 +61,35 @@ TEST(RayPatches, RaysBeginAtThePlace) {
   }
 }
 
+// All points of a distant object lie in one patch: each with each would take hours.
+TEST(RayPatches, TheCostOfADistantCloudGrowsAsItsPointsDo) {
+  constexpr int kSide = 600;
+  Cloud cloud;
+  for (int u = 0; u < kSide; ++u)
+    for (int v = 0; v < kSide; ++v)
+      cloud.points.emplace_back(500.0f, 2.0f + 0.003f * static_cast<float>(u), 2.0f + 0.003f * static_cast<float>(v));
+  const std::vector<RayPatch> patches = ray_patches(cloud, Vec3f::Zero());
+  ASSERT_EQ(patches.size(), 1U);
+  EXPECT_EQ(patches[0].rays.size(), cloud.size());
+  EXPECT_GE(patches[0].spacing.size(), 64U);
+  EXPECT_LT(patches[0].spacing.size(), 1000U);
+  for (const float angle : patches[0].spacing) EXPECT_NEAR(angle, 0.003f / 500.0f, 0.1f * 0.003f / 500.0f);
+}
+
+// Most rays of a full patch have one spacing, and so have those that are measured: they come from all over it.
+TEST(RayPatches, AFullPatchIsMeasuredAllOver) {
+  Cloud cloud;
+  for (const float step : {0.0002f, 0.0004f})
+    for (int u = 0; u < 3000; ++u)
+      cloud.points.emplace_back(100.0f, 0.2f + step * static_cast<float>(u), step == 0.0002f ? 0.2f : 0.4f);
+  const std::vector<RayPatch> patches = ray_patches(cloud, Vec3f::Zero());
+  for (const RayPatch& patch : patches) {
+    const auto num_fine = std::count_if(patch.spacing.begin(), patch.spacing.end(), [](float x) { return x < 3e-6f; });
+    EXPECT_LT(patch.spacing.size(), patch.rays.size());
+    EXPECT_NEAR(static_cast<double>(num_fine) / static_cast<double>(patch.spacing.size()), 0.5, 0.1);
+  }
+}
+
 TEST(RayPatches, FewPointsHaveNone) {
   EXPECT_TRUE(ray_patches(Cloud(), Vec3f::Zero()).empty());
   EXPECT_TRUE(ray_patches(seen_along_z(3, 1.0f), Vec3f::Zero()).empty());
