@@ -8,6 +8,7 @@
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/odometry/surface_agreement.h"
+#include "augicp/registration/far_outliers.h"
 #include "augicp/registration/registration.h"
 
 namespace augicp {
@@ -17,6 +18,9 @@ namespace {
 // others; those that are registered are once in a cell of half a voxel.
 constexpr double kCellsPerVoxel = 4.0;
 constexpr double kSourceCellsPerVoxel = 2.0;
+
+// No LiDAR measures farther: 26 km with the smallest voxels. The cells of what is nearer have keys of 21 bits an axis.
+constexpr double kReachVoxels = 1 << 17;
 
 // Before any motion is known, the gate is this wide, voxels: a car moves by some metres between two scans.
 constexpr double kFirstGate = 4.0;
@@ -60,10 +64,10 @@ LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepSha
                                                const SweepMotion& motion) const {
   Attempt attempt;
   const bool is_skewed = !shares.empty();
-  const Cloud straight = is_skewed ? without_skew(scan, shares, motion, options_.num_threads) : Cloud{};
-  const Cloud& cloud = is_skewed ? straight : scan;
+  Cloud cloud = is_skewed ? without_skew(scan, shares, motion, options_.num_threads) : scan;
   if (is_skewed) attempt.motion = motion;
-  attempt.fine = downsample(cloud, std::max(voxel_size_ / kCellsPerVoxel, bounds(cloud).diagonal() / (1 << 20)));
+  drop_far_outliers(cloud, kReachVoxels * voxel_size_);
+  attempt.fine = downsample(cloud, voxel_size_ / kCellsPerVoxel);
   attempt.fine.directions.clear(), attempt.fine.structures.clear();
   attempt.source = downsample(attempt.fine, voxel_size_ / kSourceCellsPerVoxel);
   SurfaceMapOptions of_one_scan;

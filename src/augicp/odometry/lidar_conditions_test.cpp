@@ -120,6 +120,21 @@ TEST(LidarConditions, SweepsOfFastTurnsAreStraightenedToACentimetre) {
   EXPECT_LT(straightening_error({street(), on_an_arc, first(4), {}}), 0.01);
 }
 
+// One reading of the second and of the fifth sweep is farther than a grid of voxels has cells for.
+TEST(LidarConditions, ReadingsAtImpossibleRangesChangeNothing) {
+  LidarOdometry odometry;
+  const Motion motion = straight(5.0);
+  const Rigid3 first_from_world = inverse(motion(0.5 * kSweep_s));
+  for (int k = 0; k < 6; ++k) {
+    const double begin_s = k * kSweep_s;
+    synthetic::Sweep sweep = synthetic::scan(street(), street_lidar(), motion, static_cast<unsigned>(k + 1), begin_s);
+    if (k % 3 == 1) sweep.cloud.points[7] = {3e9f, -3e9f, 3e9f};
+    const FrameReport report = odometry.add(begin_s, sweep.cloud, shares_from_times(sweep.times_s));
+    const Rigid3 true_one = first_from_world * motion(begin_s + 0.5 * kSweep_s);
+    EXPECT_THAT(report.world_from_camera, NearPose(true_one, 0.003, 0.04)) << "sweep " << k;
+  }
+}
+
 // It stands for a second, and starts with 4 m/s^2.
 TEST(LidarConditions, StartingFromStandstill) {
   const Motion motion = [](double time_s) {

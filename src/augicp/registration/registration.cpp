@@ -10,6 +10,7 @@
 #include "augicp/core/stop.h"
 #include "augicp/match/ray_spacing.h"
 #include "augicp/registration/coarse_to_fine.h"
+#include "augicp/registration/far_outliers.h"
 #include "augicp/registration/final_pass.h"
 #include "augicp/registration/memory.h"
 #include "augicp/registration/scan_match.h"
@@ -25,18 +26,7 @@ namespace {
 constexpr std::size_t kMinBallPoints = 10;
 constexpr double kMaxBallGrowth = 3.0;
 
-// Far outliers (a single "no reading" at zero in a cloud of UTM coordinates) belong to no scene and would only stretch
-// the grid.
 constexpr double kReachPerExtent = 1000.0;
-void drop_far_outliers(Cloud& cloud, double extent) {
-  const auto reach = static_cast<float>(kReachPerExtent * extent);
-  if (bounds(cloud).diagonal() <= static_cast<double>(reach)) return;  // the median point lies within
-  const Vec3f centre = median_point(cloud);
-  std::vector<std::uint32_t> within;
-  for (std::uint32_t i = 0; i < cloud.size(); ++i)
-    if ((cloud.points[i] - centre).norm() <= reach) within.push_back(i);
-  if (within.size() < cloud.size()) cloud = select(cloud, within);
-}
 
 // What a scan still lacks of what its method needs.
 struct Missing {
@@ -125,7 +115,7 @@ ThinnedScan thinned(Scan scan, const Lengths& lengths, const RegistrationOptions
   if (!options.intensity) scan.cloud.intensities.clear(), scan.cloud.intensity_gradients.clear();
   if (!has_surface(scan.cloud, lengths)) return {std::move(scan), num_read, std::nullopt};
   if (!scan.view) {
-    drop_far_outliers(scan.cloud, lengths.extent);
+    drop_far_outliers(scan.cloud, kReachPerExtent * lengths.extent);
     scan.place_is_known = is_one_sensors_scan(scan.cloud, static_cast<float>(tolerance_of(scan, lengths).distance));
     scan.cloud = downsample(scan.cloud, feasible_voxel(scan.cloud, lengths.voxel_size));
   }
