@@ -76,7 +76,7 @@ def test_clouds_of_a_recording_have_names(drive):
         assert np.array_equal(augicp.read(f"{drive}{name}").points, points_of(1))
     expected = augicp.align(points_of(1), points_of(0))
     assert np.array_equal(augicp.align(f"{drive}#1", f"{drive}#0").T_target_source, expected.T_target_source)
-    for path, words in ((drive, "the first of its clouds is"), (f"{drive}#9", "expected message 9 of /points, found 4"),
+    for path, words in ((drive, "the first of its clouds is"), (f"{drive}#9", "has no message 9 of /points: the last of its 4 messages is 3"),
                         (f"{drive}#last", "expected the number of a message"), (f"{drive}#3", "no point|finite")):
         with pytest.raises(augicp.FileError, match=words):
             augicp.read(path)

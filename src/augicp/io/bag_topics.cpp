@@ -92,7 +92,9 @@ BagMessage TopicReader::message(std::size_t number) {
   }
   while (const auto message = reader_->next())
     if (message->topic == topic_ && next_++ == number) return *message;
-  throw io_error(bag_, fmt::format("expected message {} of {}, found {}", number, topic_, next_));
+  throw io_error(bag_, next_ == 0 ? fmt::format("has no messages of the topic {}", topic_)
+                                  : fmt::format("has no message {} of {}: the last of its {} messages is {}", number,
+                                                topic_, next_, next_ - 1));
 }
 
 std::optional<DepthCamera> camera_of_topic(const std::filesystem::path& bag, const std::string& topic) {

@@ -42,8 +42,8 @@ TEST_F(RecordingFile, ItsCloudsAreReadByName) {
 }
 
 TEST_F(RecordingFile, WhatItDoesNotHaveIsSaid) {
-  EXPECT_THAT(refusal(path("#2")), HasSubstr("expected message 2 of /points, found 2"));
-  EXPECT_THAT(refusal(path("#/nothing#0")), HasSubstr("expected message 0 of /nothing, found 0"));
+  EXPECT_THAT(refusal(path("#2")), HasSubstr("has no message 2 of /points: the last of its 2 messages is 1"));
+  EXPECT_THAT(refusal(path("#/nothing#0")), HasSubstr("has no messages of the topic /nothing"));
   EXPECT_THAT(refusal(path("#/other#0")), HasSubstr("#/other#0: is a a/B, expected a sensor_msgs/PointCloud2"));
   EXPECT_THAT(refusal(path()), HasSubstr("the first of its clouds is " + path("#0")));
 }
