@@ -298,12 +298,23 @@ class Bags(unittest.TestCase):
             self.assertIn(words, finished.stderr)
         for arguments, code, words in ((["info", f"{self.root / 'a.mcap'}#0"], 3, "which topic? It has /others (1), /points (5)"),
                                        (["info", f"{self.root / 'a.mcap'}#last"], 3, "expected the number of a message"),
-                                       (["info", f"{self.root / 'a.mcap'}#/points#9"], 3, "expected message 9 of /points, found 5"),
+                                       (["info", f"{self.root / 'a.mcap'}#/points#9"], 3, "has no message 9 of /points: the last of its 5 messages is 4"),
                                        (["info", self.root / "scans/1.pcd", "--topic", "/points"], 2, "goes with a recording"),
                                        (["info", f"{self.root / 'a.mcap'}#/points#0", "--camera", "tum-fr1"], 2, "is a cloud")):
             finished = subprocess.run([sys.argv[1], *map(str, arguments)], capture_output=True, text=True)
             self.assertEqual(finished.returncode, code, finished.stderr)
             self.assertIn(words, finished.stderr)
+
+    def test_a_recording_is_not_replaced_by_a_result(self):
+        drive = self.root / "kept.mcap"
+        drive.write_bytes((self.root / "a.mcap").read_bytes())
+        other = self.root / "scans/../kept.mcap"
+        for words in (["odometry", drive, "--topic", "/points", "--output", self.root / "not kept", "--mcap", other],
+                      ["align", f"{drive}#/points#1", f"{drive}#/points#0", "--mcap", other]):
+            finished = subprocess.run([sys.argv[1], *map(str, words)], capture_output=True, text=True)
+            self.assertEqual(finished.returncode, 2, finished.stderr)
+            self.assertIn("is an input, and would be replaced", finished.stderr)
+        self.assertEqual(drive.read_bytes(), (self.root / "a.mcap").read_bytes())
 
     def test_the_topic_is_asked_for(self):
         output = self.root / "not made"

@@ -287,6 +287,8 @@ class EvaluateTest(unittest.TestCase):
             (3, (zero_ms, zero), "the stamps of the estimate are milliseconds, it seems"),
             (3, (zero, zero_ms), "the stamps of the truth are milliseconds, it seems"),
             (3, (far, truth), "not finite"), (3, (truth, truth, "--json", "/dev/full"), "/dev/full"),
+            (2, (zero, truth, "--report", truth), "truth.txt: is an input, and would be replaced"),
+            (2, (truth, truth, "--beside", zero, "--json", zero), "zero.txt: is an input, and would be replaced"),
         )
         for code, words, message in cases:
             finished = run(*words)

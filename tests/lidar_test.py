@@ -209,7 +209,8 @@ class Lidar(unittest.TestCase):
         empty.mkdir(exist_ok=True)
         for arguments in ([empty], [empty, "--sensor", "lidar"], [self.scans, "--first", "99"],
                           [self.scans, "--point-times", "sometimes"], [self.scans, "--map", "map.xyz"],
-                          [self.scans, "--map", "map.ply", "--map-tile", 0]):
+                          [self.scans, "--map", "map.ply", "--map-tile", 0],
+                          [self.scans, "--map", "map.ply", "--map-tile", "nan"]):
             refused = run(*arguments, "--output", self.root / "refused")
             self.assertNotIn(refused.returncode, (0, 4, 5), arguments)
             self.assertTrue(refused.stderr)

@@ -150,6 +150,9 @@ int run_align(const AlignArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply", ".pcd", ".las"});
   require_extension(arguments.mcap, {".mcap"}, "--mcap");
+  require_no_input_among({arguments.json, arguments.transform, arguments.page, arguments.mcap},
+                         {arguments.source, arguments.target, arguments.initial});
+  require_no_input_among({arguments.output}, {arguments.target});  // the source may be moved in place
   require_use_of(arguments.input, {arguments.source, arguments.target});
   StepLine line(arguments.quiet ? Progress::None : arguments.progress);
   AlignRun run = register_files(arguments, line);

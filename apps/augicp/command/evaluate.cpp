@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/augicp/command/exit_code.h"
+#include "apps/augicp/command/inputs.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/evaluation_page.h"
@@ -88,11 +89,18 @@ nlohmann::ordered_json json_of(const Compared& result, const EvaluateArguments& 
   return json;
 }
 
+std::vector<std::string> inputs_of(const EvaluateArguments& arguments) {
+  std::vector<std::string> all = arguments.others;
+  all.insert(all.end(), {arguments.estimate, arguments.truth, arguments.pairs});
+  return all;
+}
+
 int run_evaluate(const EvaluateArguments& arguments) {
   arguments.options.check();
   if (arguments.truth.empty() && arguments.pairs.empty())
     throw std::invalid_argument("groundtruth is required, or --pairs");
   if (arguments.truth.empty() && !arguments.page.empty()) throw std::invalid_argument("--report: needs groundtruth");
+  require_no_input_among({arguments.json, arguments.page}, inputs_of(arguments));
   std::vector<ReferencePair> known;
   if (!arguments.pairs.empty()) known = read_reference_pairs(arguments.pairs);
   std::vector<EvaluatedRun> runs;

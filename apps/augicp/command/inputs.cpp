@@ -183,4 +183,16 @@ void require_extension(const std::string& output, const std::vector<std::string>
   throw std::invalid_argument(fmt::format("{} {}: must end in {}", option, output, fmt::join(extensions, " or ")));
 }
 
+void require_no_input_among(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    const auto message = parse_bag_message_name(input);
+    const std::filesystem::path file = message ? message->bag : std::filesystem::path(input);
+    for (const std::string& output : outputs) {
+      std::error_code is_missing;  // then there is nothing to replace, nor in a device
+      if (std::filesystem::is_regular_file(output, is_missing) && std::filesystem::equivalent(output, file, is_missing))
+        throw std::invalid_argument(fmt::format("{}: is an input, and would be replaced", output));
+    }
+  }
+}
+
 }  // namespace augicp::app

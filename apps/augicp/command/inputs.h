@@ -67,4 +67,9 @@ DepthCamera sequence_camera(const DepthSequence& sequence, const std::string& fo
 void require_extension(const std::string& output, const std::vector<std::string>& extensions,
                        const std::string& option = "--output");
 
+// Throws std::invalid_argument if writing one of the outputs would replace a file that is read, under any of its names.
+// Empty names, "-" and devices are no files; of a cloud of a recording, drive.mcap#12, the recording is meant. Called
+// before any work.
+void require_no_input_among(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
 }  // namespace augicp::app

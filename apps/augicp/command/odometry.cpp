@@ -20,6 +20,7 @@
 #include "apps/augicp/page/kept.h"
 #include "apps/augicp/page/odometry_page.h"
 #include "apps/augicp/text/odometry.h"
+#include "augicp/core/check.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/bag_topics.h"
 #include "augicp/io/depth_sequence.h"
@@ -170,6 +171,7 @@ DepthSequence images_of(const OdometryArguments& arguments, const std::optional<
 int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::optional<StampedTopic>& topic) {
   arguments.lidar.odometry.check();
   require_extension(arguments.lidar.map, {".ply", ".pcd"}, "--map");
+  if (arguments.lidar.map_tile) require_positive("--map-tile", *arguments.lidar.map_tile);  // NaN is in every range
   LidarInput input;
   input.name = arguments.sequence;
   input.sequence = scans_of(arguments, topic);
@@ -209,6 +211,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   arguments.odometry.check();
   evaluation_options(arguments).check();
   require_extension(arguments.mcap, {".mcap"}, "--mcap");
+  require_no_input_among({arguments.mcap, arguments.page, arguments.lidar.map}, {arguments.sequence});
   const std::optional<StampedTopic> topic = topic_of(arguments);
   if (is_lidar(arguments, topic)) return run_lidar(arguments, command, topic);
   const DepthSequence sequence = images_of(arguments, topic);
