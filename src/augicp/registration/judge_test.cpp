@@ -159,6 +159,23 @@ TEST(Judge, BareCornersAreTrustedNearTheGuessOnly) {
 }
 
 // robustness 11: 100 m apart. That is no pose at all; but a search without a guess may find it.
+TEST(Judge, APoseHasLeftTheGuessOnlyByMovingAlongWhatIsFree) {
+  AlignResult result;
+  result.status = AlignStatus::Degenerate;
+  result.observability.directions = Mat6d::Identity();
+  result.observability.gyration = 2.0;
+  result.free_motions.resize(1);
+  const auto has_left = [&](const Vec3d& translation) {
+    result.target_from_source.translation = translation;
+    return has_left_along_free(result, Rigid3{});
+  };
+  EXPECT_FALSE(has_left({0.0, 0.0, 0.0}));
+  EXPECT_FALSE(has_left({0.01, 3.0, -4.0}));
+  EXPECT_TRUE(has_left({-0.03, 0.0, 0.0}));
+  result.free_motions.clear();
+  EXPECT_FALSE(has_left({5.0, 0.0, 0.0}));
+}
+
 TEST(Judge, FarApartIsNoOverlap) {
   const Pair pair = near_pair();
   const Rigid3 far{Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}};

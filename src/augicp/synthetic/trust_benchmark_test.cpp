@@ -132,14 +132,6 @@ TrustRow row_of_family(const std::string& name, const std::vector<unsigned>& see
   return {};
 }
 
-// Objects that have nothing in common lead far away, where there is no way back to the guess along what is free there:
-// such a pose is not called degenerate.
-TEST(TrustBenchmark, DegenerateNeverMeansMovedAlongWhatIsNamed) {
-  const TrustRow row = row_of_family("objects unlike", {5014, 5022});
-  EXPECT_EQ(row.wrong_converged, 0U);
-  EXPECT_LT(row.largest_move, 0.0101);
-}
-
 // The half-turned pose among columns is supported, and the right one is refused by a hair: no answer is the only one.
 TEST(TrustBenchmark, ColonnadesNeverConvergeHalfATurnOff) {
   EXPECT_EQ(row_of_family("lidar colonnade", {7002, 7004, 7040}).wrong_converged, 0U);
