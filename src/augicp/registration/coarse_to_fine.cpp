@@ -91,11 +91,12 @@ bool convinces(const std::vector<AlignResult>& results) {
   return std::any_of(results.begin(), results.end(), is_supported);
 }
 
-// Along what is free a pose stays at the guess. Elsewhere on a flat field, or upside down, it is no candidate.
-std::vector<AlignResult> at_guess_along_free(std::vector<AlignResult> results, const Guess& guess) {
-  std::erase_if(results, [&](const AlignResult& result) {
-    return guess && result.status == AlignStatus::Degenerate && has_left_along_free(result, *guess);
-  });
+// The result that the evidence prefers, first, unless it has left the guess along what is free: elsewhere on a flat
+// field, or upside down. Then that of the guess stays first.
+std::vector<AlignResult> best_at_guess_first(std::vector<AlignResult> results, const Guess& guess) {
+  const auto best = std::min_element(results.begin(), results.end(), is_better);
+  if (!guess || best->status != AlignStatus::Degenerate || !has_left_along_free(*best, *guess))
+    std::iter_swap(results.begin(), best);
   return results;
 }
 
@@ -109,17 +110,15 @@ AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const Regi
   std::vector<AlignResult> results;
   if (!options.global) results.push_back(full.from(guess));
   if (!options.global && !options.search) return std::move(results.front());
-  if (!options.global && !convinces(results))
-    append(at_guess_along_free(from_each(full, searched(pair, guess, options)), known), results);
-  if (!convinces(results))
-    append(at_guess_along_free(from_global_starts(pair, full, lead_on, options), known), results);
+  if (!options.global && !convinces(results)) append(from_each(full, searched(pair, guess, options)), results);
+  if (!convinces(results)) append(from_global_starts(pair, full, lead_on, options), results);
   if (results.empty()) return full.from(guess);
   // Where nothing convinces, a pose that stays at the guess along its free motions is not left for another doubtful
   // one.
   const bool stays = !options.global && results.front().status == AlignStatus::Degenerate && !convinces(results);
   std::optional<Rigid3> led_to_by_guess;
   if (!options.global) led_to_by_guess = results.front().target_from_source;
-  if (!stays) results = best_first(std::move(results));
+  if (!stays) results = best_at_guess_first(std::move(results), known);
   // The evidence compares shapes. Rivals that brightness tells apart look alike to it.
   if (results.front().status == AlignStatus::Converged && results.front().num_intensity_pairs == 0)
     append(from_each(full, rivals_of(results.front(), pair, full, options)), results);
