@@ -14,6 +14,9 @@ import sys
 
 import numpy as np
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "results"))
+from motions import from_quaternion  # noqa: E402
+
 SCANS_APART = 5  # of each sequence
 
 
@@ -21,22 +24,12 @@ def scans_of(sequence):
     return sorted((sequence / "velodyne").glob("*.bin"))
 
 
-def matrix_of(translation, quaternion):
-    x, y, z, w = np.asarray(quaternion) / np.linalg.norm(quaternion)
-    pose = np.eye(4)
-    pose[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                    [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                    [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
-    pose[:3, 3] = translation
-    return pose
-
-
 def near_lines(sequence, out):
     scans = scans_of(sequence)
     for row in np.loadtxt(sequence / "reference_pairs.txt", ndmin=2):
         i, j = int(row[0]), int(row[1])
         truth = out / f"{sequence.name}_{i}_{j}.txt"
-        np.savetxt(truth, matrix_of(row[2:5], row[5:9]))
+        np.savetxt(truth, from_quaternion(row[2:5], row[5:9]))
         place = "below10" if np.linalg.norm(row[2:5]) < 10.0 else "above10"
         yield f"{sequence.name}_{place} {scans[j]} {scans[i]} {truth}"
 

@@ -80,7 +80,7 @@ def check_module(programs, work, system, tests):
 
 
 def processor_time(*words, **options):
-    """Seconds, unlike those of a clock hardly longer on a busy machine."""
+    """Processor time in seconds: a busy machine hardly changes it."""
     def used():
         usage = resource.getrusage(resource.RUSAGE_CHILDREN)
         return usage.ru_utime + usage.ru_stime

@@ -17,7 +17,7 @@ constexpr double kMinRangeRatio = 1.25;
 constexpr std::size_t kMinSlopes = 20;
 
 // Generated sensors have 0.99 and more, depth cameras 1, HDL-32, VLP-16 and solid-state ones 0.92 to 0.98, HDL-64 0.87
-// to 0.94. Scans of one place added to those of another have 0.36 to 0.89, random directions 0.3.
+// to 0.94. Two scans in one frame have 0.36 to 0.94, random directions 0.3.
 constexpr double kMinEvenness = 0.88;
 // Sensors have -0.06 to 0.14. Surfaces sampled evenly have -1, fused fragments of rooms -0.66 to -0.98.
 constexpr double kMaxGrowth = 0.3;

@@ -16,9 +16,9 @@ namespace augicp {
 // to its origin, metres.
 inline Vec3f assumed_place(const Cloud& cloud) { return cloud.viewpoint.value_or((-cloud.origin).cast<float>()); }
 
-// How evenly rays are spaced: the 2nd percentile of the angles to the nearest other one, divided by their 20th, in a
-// patch; the median of the patches, in [0, 1]. Directions at random have 0.3. Most sensors have 0.87 and more, even if
-// their lines are not in step, but for those whose lines nearly meet. 0 for no patch.
+// How evenly rays are spaced: in a patch, the 2nd percentile of the angles to the nearest other ray, divided by their
+// 20th; the median over the patches, in [0, 1]. Directions at random have 0.3. Most sensors have 0.87 and more, even if
+// their lines are not in step. Sensors whose lines nearly meet have 0.4. 0 for no patch.
 double evenness(std::span<const RayPatch> patches);
 
 // The exponent p of spacing ~ range^p over the patches: 0 for rays, -1 for points that are spread evenly over a

@@ -153,15 +153,12 @@ AlignResult FullResolution::asked(AlignResult first, const Rigid3& start) const 
   const Cloud source = tested(pair_.source), target = tested(pair_.target);
   const MotionProbe probe({source, known_place(pair_.source)}, {target, known_place(pair_.target)},
                           tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
-  // What becomes free on the way was not, where the loop began.
-  const bool may_have_left =
-      !first.free_motions.empty() && guess_target_from_source_ &&
-      (start.matrix() != guess_target_from_source_->matrix() || has_left_along_free(first, *guess_target_from_source_));
+  const bool was_at_guess =
+      first.free_motions.empty() || !guess_target_from_source_ || start.matrix() == guess_target_from_source_->matrix();
   // The way back to the guess may be long: a motion that is free nearby is not for ever.
-  if (may_have_left)
+  if (!was_at_guess)
     if (AlignResult at_guess = aligned(start, free_of(first));
-        has_pose(at_guess.status) &&
-        (!probe.can_tell() || probe.compared(at_guess.target_from_source, first.target_from_source) >= 0))
+        has_pose(at_guess.status) && probe.compared(at_guess.target_from_source, first.target_from_source) >= 0)
       first = std::move(at_guess);
   AlignResult result = first;
   for (int round = 0; round < kMaxRounds && has_pose(result.status); ++round) {
