@@ -124,9 +124,8 @@ std::vector<Result> find_pose(const py::object& source, const py::object& target
     RegistrationOptions watched = options;
     watched.stop = stop;
     watched.on_stage = on_stage;
-    const Lengths lengths = lengths_for(*inputs->source, *inputs->target, watched);
     std::vector<Result> results;
-    for (AlignResult& found : augicp::find_pose(*inputs->source, *inputs->target, watched))
+    for (auto& [found, lengths] : augicp::find_pose(*inputs->source, *inputs->target, watched))
       results.push_back(with_lengths(std::move(found), *inputs->target, lengths, options, inputs));
     return results;
   };

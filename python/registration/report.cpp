@@ -14,17 +14,12 @@ namespace {
 
 namespace py = pybind11;
 
-// The result does not keep the prepared scans: they are larger than the clouds, and few results are reported. With a
-// final pass the pair is registered again, because the result does not record which scans it belongs to.
-PreparedPair prepared_again(const ResultInputs& inputs, const RegistrationOptions& options) {
-  if (!options.final_pass) return prepare_pair(*inputs.source, *inputs.target, options);
-  return register_scans(*inputs.source, *inputs.target, inputs.initial, options).prepared;
-}
-
 std::string page_of(const Result& result, const ResultInputs& inputs, const std::stop_token& stop) {
   RegistrationOptions options = result.options;
   options.stop = stop;
-  const PreparedPair prepared = prepared_again(inputs, options);
+  // The result does not keep the prepared scans: they are larger than the clouds, and few results are reported. Its
+  // options have their lengths.
+  const PreparedPair prepared = prepare_pair(*inputs.source, *inputs.target, options);
   app::AlignReport report;
   report.source = inputs.source_name;
   report.target = inputs.target_name;

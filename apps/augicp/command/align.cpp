@@ -99,11 +99,13 @@ AlignRun register_files(const AlignArguments& arguments, StepLine& line) {
   report.num_read = {source.cloud.size(), target.cloud.size()};
   PreparedPair prepared = prepare_pair(std::move(source), std::move(target), options);
   report.timing_ms.surface = preparing.elapsed_ms();
+  const double first_radius = prepared.lengths.radius;
   const Stopwatch aligning;
   Registration registration = register_pair(std::move(prepared), run.initial, options);
   report.timing_ms.align = aligning.elapsed_ms();
   report.result = std::move(registration.result);
   report.lengths = registration.prepared.lengths;
+  if (first_radius > 0.0) report.share_of_radius = report.lengths.radius / first_radius;
   run.prepared = std::move(registration.prepared);
   refer_to(run.prepared.target.cloud, report);
   report.num_prepared = {run.prepared.source.cloud.size(), run.prepared.target.cloud.size()};

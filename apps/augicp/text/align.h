@@ -25,6 +25,7 @@ struct AlignReport {
   RegistrationOptions options;
   bool with_history = false;
   std::array<std::size_t, 2> num_read{}, num_prepared{};  // points of source and target
+  double share_of_radius = 1.0;                           // the radius, divided by that of the first registration
   std::vector<std::pair<std::string, double>> steps;      // what was done, and when it began, milliseconds
   Vec3d centre = Vec3d::Zero();                           // of the target's points, in its frame
   Vec3d reference_point = Vec3d::Zero();  // about which increments of the covariance rotate, in the target's frame

@@ -10,16 +10,21 @@
 namespace augicp::app {
 namespace {
 
-std::string length_text(const char* name, double length, bool is_given, const char* otherwise) {
-  return fmt::format("{:<13} {:.4g} m: {}\n", name, length, is_given ? "given" : otherwise);
+std::string length_text(const char* name, double length, bool is_given, std::string_view otherwise) {
+  return fmt::format("{:<13} {:.4g} m: {}\n", name, length, is_given ? std::string_view("given") : otherwise);
+}
+
+std::string radius_reason(const AlignReport& report) {
+  if (report.options.voxel_size) return "follows the voxel size and the points' spacing";
+  if (report.share_of_radius == 1.0) return "derived from the extent";
+  return fmt::format("{:.2g} of what was derived from the extent", report.share_of_radius);
 }
 
 std::string lengths_text(const AlignReport& report) {
   const RegistrationOptions& given = report.options;
   const Lengths& lengths = report.lengths;
   return fmt::format("extent        {:.4g} m: the diameter of most of both scans\n", lengths.extent) +
-         length_text("radius", lengths.radius, given.radius.has_value(),
-                     given.voxel_size ? "follows the voxel size and the points' spacing" : "derived from the extent") +
+         length_text("radius", lengths.radius, given.radius.has_value(), radius_reason(report)) +
          length_text("voxel size", lengths.voxel_size, given.voxel_size.has_value(), "derived from the radius") +
          length_text("max distance", lengths.max_distance, given.max_distance.has_value(), "derived from the extent");
 }
@@ -57,6 +62,8 @@ std::string_view begun(Stage stage) {
       return "judging the pose";
     case Stage::Rivals:
       return "searching other poses that may fit as well";
+    case Stage::FinerBalls:
+      return "a motion is held by little: preparing both scans in balls half as wide";
     case Stage::FinalPass:
       return "aligning once more in smaller balls";
   }

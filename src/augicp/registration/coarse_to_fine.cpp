@@ -100,6 +100,15 @@ std::vector<AlignResult> best_at_guess_first(std::vector<AlignResult> results, c
   return results;
 }
 
+// Results of which the first converged, and those from its rivals. The evidence compares shapes: rivals that brightness
+// tells apart look alike to it.
+std::vector<AlignResult> with_rivals(std::vector<AlignResult> results, const ScanPair& pair, const FullResolution& full,
+                                     const RegistrationOptions& options) {
+  if (results.front().status == AlignStatus::Converged && results.front().num_intensity_pairs == 0)
+    append(from_each(full, rivals_of(results.front(), pair, full, options)), results);
+  return results;
+}
+
 // The guess between clouds leads to a result of its own. Only if that does not convince, other starts compete with it:
 // those around it and, if none convinces, those that need no guess. What convinces is compared with what the scene's
 // symmetries make of it.
@@ -119,10 +128,7 @@ AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const Regi
   std::optional<Rigid3> led_to_by_guess;
   if (!options.global) led_to_by_guess = results.front().target_from_source;
   if (!stays) results = best_at_guess_first(std::move(results), known);
-  // The evidence compares shapes. Rivals that brightness tells apart look alike to it.
-  if (results.front().status == AlignStatus::Converged && results.front().num_intensity_pairs == 0)
-    append(from_each(full, rivals_of(results.front(), pair, full, options)), results);
-  return with_runners_up(std::move(results), pair, led_to_by_guess);
+  return with_runners_up(with_rivals(std::move(results), pair, full, options), pair, led_to_by_guess);
 }
 
 // If that does not convince either, starts that need no guess compete with it.
@@ -147,6 +153,15 @@ AlignResult coarse_to_fine(const ScanPair& pair, const Rigid3& guess_target_from
     return indexed(pair, guess_target_from_source, options).from(guess_target_from_source);
   const bool has_images = pair.source.view && is_projective(pair.target, options.association);
   return (has_images ? between_images : between_clouds)(pair, guess_target_from_source, options);
+}
+
+AlignResult from_known(const ScanPair& pair, const std::vector<Rigid3>& starts, const Guess& guess,
+                       const RegistrationOptions& options) {
+  const FullResolution full = indexed(pair, guess, options);
+  std::vector<AlignResult> results = from_each(full, starts);
+  if (!is_supported(results.front())) results = best_at_guess_first(std::move(results), guess);
+  if (options.search) results = with_rivals(std::move(results), pair, full, options);
+  return with_runners_up(std::move(results), pair);
 }
 
 std::vector<AlignResult> from_anywhere(const ScanPair& pair, const RegistrationOptions& options) {

@@ -19,12 +19,6 @@ constexpr double kFinalShare = 0.7;
 // Smaller gains of the expected error are chance: of odd seeds with less, half ended farther from the truth.
 constexpr double kMaxRatioOfErrors = 0.85;
 
-Lengths finer_than(Lengths lengths) {
-  lengths.radius *= kFinalShare;
-  lengths.voxel_size *= kFinalShare;
-  return lengths;
-}
-
 // The loop from the first pose, with the iterations that are left.
 AlignResult aligned_again(const ScanPair& finer, const AlignResult& first, const ScanMatcher& matcher,
                           const RegistrationOptions& options) {
@@ -50,7 +44,7 @@ AlignResult judged_like_first(AlignResult again, const ScanPair& first, const Gu
 }
 
 Registration aligned_finer(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
-  PreparedPair finer = prepare_both(std::move(raw), finer_than(first.prepared.lengths), options);
+  PreparedPair finer = prepare_both(std::move(raw), finer_lengths(first.prepared.lengths, kFinalShare), options);
   throw_if_stopped(options.stop);
   const auto matcher = matcher_for(finer.target, /*projective=*/false, finer.lengths);
   AlignResult again = aligned_again(finer, first.result, *matcher, options);
@@ -61,11 +55,6 @@ Registration aligned_finer(Registration first, RawPair raw, const Guess& guess, 
 }
 
 }  // namespace
-
-bool may_have_final_pass(const Scan& source, const Scan& target, const RegistrationOptions& options) {
-  return options.final_pass && options.covariance && options.preset == Preset::Default && !options.radius &&
-         !options.voxel_size && !source.view && !target.view;
-}
 
 Registration with_final_pass(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
   if (first.result.status != AlignStatus::Converged || !first.result.covariance) return first;

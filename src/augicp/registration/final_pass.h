@@ -6,10 +6,6 @@
 
 namespace augicp {
 
-// Whether a pair may have a final pass: the options have one, both scans are clouds, their lengths are derived, and the
-// covariance is computed, which decides.
-bool may_have_final_pass(const Scan& source, const Scan& target, const RegistrationOptions& options);
-
 // `first`, or the registration that follows it. A ball smooths the creases and curves within it, so a converged pose
 // has an error of its own, of which its covariance knows little. The final pass starts from that pose and has balls and
 // voxels of 0.7 of the first ones. It replaces `first` if
@@ -17,8 +13,9 @@ bool may_have_final_pass(const Scan& source, const Scan& target, const Registrat
 //   * it converges too, and the RMS error of the points that its covariance predicts is clearly smaller, and
 //   * the evidence supports its pose, by the same scans and tolerances by which `first` was judged.
 //
-// raw: the scans before prepare_pair(). guess: where the search began. Poses are between the clouds' points. Iterations
-// and history are those of both; max_iterations limits their sum. Throws Interrupted once an end is requested.
+// Without a covariance nothing can be decided. raw: the scans before prepare_pair(). guess: where the search began.
+// Poses are between the clouds' points. Iterations and history are those of both; max_iterations limits their sum.
+// Throws Interrupted once an end is requested.
 Registration with_final_pass(Registration first, RawPair raw, const Guess& guess_target_from_source,
                              const RegistrationOptions& options);
 

@@ -94,7 +94,7 @@ TEST(WithoutGuess, ResultsAreTheSameOnAnyNumberOfThreads) {
     const auto found = with_threads(num_threads);
     ASSERT_EQ(found.size(), alone.size());
     for (std::size_t k = 0; k < found.size(); ++k)
-      EXPECT_EQ(found[k].target_from_source.matrix(), alone[k].target_from_source.matrix());
+      EXPECT_EQ(found[k].result.target_from_source.matrix(), alone[k].result.target_from_source.matrix());
   }
 }
 
@@ -102,10 +102,11 @@ TEST(FindPose, BestFirstWithEvidence) {
   const Pair pair = object_anywhere("bracket", 3);
   const auto found = find_pose(scan_of(pair.source), scan_of(pair.target));
   ASSERT_FALSE(found.empty());
-  EXPECT_THAT(found.front().target_from_source, NearPose(pair.target_from_source, 0.01, 0.01));
-  EXPECT_EQ(found.front().status, AlignStatus::Converged);
-  for (const AlignResult& result : found) EXPECT_TRUE(result.evidence.has_value());
-  for (std::size_t k = 1; k < found.size(); ++k) EXPECT_GE(strain(*found[k].evidence), strain(*found[0].evidence));
+  EXPECT_THAT(found.front().result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.01));
+  EXPECT_EQ(found.front().result.status, AlignStatus::Converged);
+  for (const FoundPose& one : found) EXPECT_TRUE(one.result.evidence.has_value());
+  for (std::size_t k = 1; k < found.size(); ++k)
+    EXPECT_GE(strain(*found[k].result.evidence), strain(*found[0].result.evidence));
 }
 
 TEST(FindPose, OfEmptyAndSinglePointsIsNothing) {

@@ -83,6 +83,12 @@ double robust_extent(const Scan& scan) {
   return 2.0 * static_cast<double>(quantile(distances_from(centre, scan.cloud), kExtentQuantile));
 }
 
+Lengths finer_lengths(Lengths lengths, double share) {
+  lengths.radius *= share;
+  lengths.voxel_size *= share;
+  return lengths;
+}
+
 Lengths derive_lengths(const Scan& source, const Scan& target) {
   Lengths lengths;
   lengths.extent = std::sqrt(robust_extent(source) * robust_extent(target));

@@ -28,6 +28,9 @@ double voxel_size_for(double radius);
 // The voxel size itself or, if it needs more cells than a key of downsample() has, the smallest possible one, metres.
 double feasible_voxel(const Cloud& cloud, double voxel_size);
 
+// The same with radius and voxels of this share of theirs.
+Lengths finer_lengths(Lengths lengths, double share);
+
 // From the geometric mean of both extents, so that swapping the clouds changes nothing.
 Lengths derive_lengths(const Scan& source, const Scan& target);
 

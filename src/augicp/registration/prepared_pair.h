@@ -16,7 +16,7 @@ struct RawPair {
 struct PreparedPair {
   Scan source, target;
   Lengths lengths;
-  std::optional<RawPair> raw = std::nullopt;  // for the final pass; absent if there is none, see final_pass.h
+  std::optional<RawPair> raw = std::nullopt;  // for smaller balls, see finer_balls.h; absent if there are none
 };
 
 // A view of two prepared scans: a sequence registers each scan with several others, without copies. Either may be

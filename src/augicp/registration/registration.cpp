@@ -12,6 +12,7 @@
 #include "augicp/registration/coarse_to_fine.h"
 #include "augicp/registration/far_outliers.h"
 #include "augicp/registration/final_pass.h"
+#include "augicp/registration/finer_balls.h"
 #include "augicp/registration/memory.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/surface/ball_neighbourhood.h"
@@ -87,13 +88,19 @@ AlignResult between_frames(AlignResult result, const Cloud& source, const Cloud&
   return result;
 }
 
+// What follows the first registration, whose poses are between the clouds' points.
+Registration refined(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
+  first = in_finer_balls(std::move(first), raw, guess, options);
+  if (!options.final_pass) return first;
+  return with_final_pass(std::move(first), std::move(raw), guess, options);
+}
+
 // The registration between the clouds' points.
 Registration registered(PreparedPair pair, const Rigid3& guess, const RegistrationOptions& options) {
   std::optional<RawPair> raw = std::exchange(pair.raw, std::nullopt);
   AlignResult result = coarse_to_fine(pair, guess, options);
   Registration first{std::move(result), std::move(pair)};
-  if (!raw) return first;
-  return with_final_pass(std::move(first), std::move(*raw), options.global ? Guess{} : guess, options);
+  return raw ? refined(std::move(first), std::move(*raw), options.global ? Guess{} : guess, options) : first;
 }
 
 AlignResult nothing_found(const Rigid3& initial_target_from_source) {
@@ -147,7 +154,7 @@ PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& o
   options.check();
   const Lengths lengths = lengths_for(source, target, options);
   std::optional<RawPair> raw;
-  if (may_have_final_pass(source, target, options)) raw = RawPair{source, target};
+  if (may_have_finer_balls(source, target, options)) raw = RawPair{source, target};
   const auto prepare_now = [&] { return prepare_both({std::move(source), std::move(target)}, lengths, options); };
   PreparedPair pair = reported(options.on_stage, Stage::Surfaces, prepare_now);
   pair.raw = std::move(raw);
@@ -193,16 +200,20 @@ Registration register_scans(Scan source, Scan target, const Rigid3& initial_targ
                        options);
 }
 
-std::vector<AlignResult> find_pose(Scan source, Scan target, RegistrationOptions options) {
+std::vector<FoundPose> find_pose(Scan source, Scan target, RegistrationOptions options) {
   options.global = true;
   PreparedPair pair = prepare_pair(std::move(source), std::move(target), options);
   is_projective(pair.target, options.association);  // throws where it cannot be
   if (!have_extent(pair)) return {};
   std::optional<RawPair> raw = std::exchange(pair.raw, std::nullopt);
-  std::vector<AlignResult> found = from_anywhere(pair, options);
-  if (!found.empty() && raw)
-    found.front() = with_final_pass({found.front(), pair}, std::move(*raw), std::nullopt, options).result;
-  for (AlignResult& result : found) result = between_frames(std::move(result), pair.source.cloud, pair.target.cloud);
+  std::vector<FoundPose> found;
+  for (AlignResult& result : from_anywhere(pair, options)) found.push_back({std::move(result), pair.lengths});
+  if (found.empty()) return found;
+  Registration best{std::move(found.front().result), std::move(pair)};
+  if (raw) best = refined(std::move(best), std::move(*raw), {}, options);
+  found.front() = {std::move(best.result), best.prepared.lengths};
+  const Cloud &source_cloud = best.prepared.source.cloud, &target_cloud = best.prepared.target.cloud;
+  for (auto& [result, lengths] : found) result = between_frames(std::move(result), source_cloud, target_cloud);
   return found;
 }
 

@@ -46,10 +46,16 @@ AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target
 Registration register_scans(Scan source, Scan target, const Rigid3& initial_target_from_source = {},
                             const RegistrationOptions& options = {});
 
+// One of several poses. result.pairs are indices of points of the scans that prepare_both() makes with these lengths.
+struct FoundPose {
+  AlignResult result;
+  Lengths lengths;
+};
+
 // The motion between two raw scans of which nothing is known: every pose that was found, the best first, each with its
 // evidence. The first has the status that register_scans() gives with RegistrationOptions::global, the others have
 // those that they would have alone. Empty if the scans have nothing alike. Throws std::invalid_argument for the paper's
 // preset.
-std::vector<AlignResult> find_pose(Scan source, Scan target, RegistrationOptions options = {});
+std::vector<FoundPose> find_pose(Scan source, Scan target, RegistrationOptions options = {});
 
 }  // namespace augicp

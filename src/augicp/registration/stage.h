@@ -18,6 +18,7 @@ enum class Stage {
   Aligning,     // the iterations at full resolution
   Verdict,      // what both scans say of the pose
   Rivals,       // other poses that may fit as well, in scenes with symmetries
+  FinerBalls,   // both scans are prepared again in balls half as wide
   FinalPass,    // once more in smaller balls
 };
 template <>
@@ -29,6 +30,7 @@ inline constexpr auto kWords<Stage> = std::to_array<Word<Stage>>({{Stage::Surfac
                                                                   {Stage::Aligning, "aligning"},
                                                                   {Stage::Verdict, "verdict"},
                                                                   {Stage::Rivals, "rivals"},
+                                                                  {Stage::FinerBalls, "finer_balls"},
                                                                   {Stage::FinalPass, "final_pass"}});
 
 // An item of a stage begins if done is below total; else the last one has ended. Several starts are aligned and judged
