@@ -33,7 +33,8 @@ Objects may be used by several threads at once, and can be pickled. numpy.asarra
 constexpr const char* kFromDepthDoc = R"(The cloud of a depth image; registration then also uses its pixels.
 
 image: (height, width); 0, negative, NaN and infinite are no reading. Of floats: metres. Of integers up to 65535:
-  depth_scale is the value of one metre (5000 in the TUM benchmark, 1000 in most others) and must be given.
+  depth_scale is the value of one metre (5000 in the TUM benchmark, 1000 in most others) and must be given. Or the path of
+  a PNG, with depth_scale.
 camera: a Camera, or text for Camera.read such as "tum-fr1" or "525 525 319.5 239.5". Its lens is removed.
 
 Frame: the camera's, x right, y down, z forward. Raises ArgumentError if the image's size is not the camera's, and if the

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
+#include <sstream>
+
 #include "augicp/eval/option_table.h"
 #include "python/bindings.h"
 #include "python/core/numbers.h"
 #include "python/core/options.h"
+#include "python/core/state.h"
 #include "python/core/without_gil.h"
 #include "python/geometry/trajectory.h"
 
@@ -29,6 +32,66 @@ Evaluation evaluate_given(const py::object& estimate, const py::object& truth, c
   return without_gil([&](const std::stop_token&) { return evaluate(estimated, true_one, options); });
 }
 
+struct VisitStatistics {
+  void operator()(auto& archive, auto& statistics) const {
+    archive.number(statistics.count);
+    for (auto* value : {&statistics.rmse, &statistics.mean, &statistics.median, &statistics.std, &statistics.min,
+                        &statistics.max, &statistics.sse})
+      archive.number(*value);
+  }
+};
+
+struct VisitPoseStatistics {
+  void operator()(auto& archive, auto& errors) const {
+    VisitStatistics{}(archive, errors.translation);
+    VisitStatistics{}(archive, errors.rotation);
+  }
+};
+
+// Everything but the options and the errors of segments, which Python does not show.
+struct VisitEvaluation {
+  void operator()(auto& archive, auto& evaluation) const {
+    archive.number(evaluation.num_estimate);
+    archive.number(evaluation.num_truth);
+    archive.number(evaluation.num_matched);
+    archive.number(evaluation.matched_share);
+    archive.number(evaluation.first_stamp_s);
+    archive.number(evaluation.last_stamp_s);
+    VisitPoseStatistics{}(archive, evaluation.absolute);
+    archive.number(evaluation.alignment.target_from_source.scale);
+    visit_pose(archive, evaluation.alignment.target_from_source.motion);
+    archive.number(evaluation.alignment.unique);
+    for (auto* errors : {&evaluation.aligned, &evaluation.relative})
+      if (archive.has(*errors)) VisitPoseStatistics{}(archive, **errors);
+  }
+};
+
+py::tuple state_of(const Evaluation& evaluation) {
+  return state_of_value(evaluation, VisitEvaluation{}, values_of(evaluation.options));
+}
+
+Evaluation evaluation_of_state(const py::tuple& state) {
+  Evaluation evaluation = value_of_state<Evaluation>(state, VisitEvaluation{});
+  set_options(state[2].cast<py::dict>(), evaluation.options);
+  return evaluation;
+}
+
+std::string in_words(const PoseStatistics& errors) {
+  std::ostringstream text;
+  text << "rmse " << errors.translation.rmse << " m, " << errors.rotation.rmse << " rad";
+  return text.str();
+}
+
+// The lines of print(): each error, and how many poses it is of.
+std::string lines_of(const Evaluation& evaluation) {
+  std::string text = "augicp.Evaluation of " + std::to_string(evaluation.num_matched) + " of " +
+                     std::to_string(evaluation.num_estimate) +
+                     " poses\nATE, not aligned: " + in_words(evaluation.absolute);
+  if (evaluation.aligned) text += "\nATE, aligned: " + in_words(*evaluation.aligned);
+  if (evaluation.relative) text += "\nRPE: " + in_words(*evaluation.relative);
+  return text;
+}
+
 void bind_statistics(py::module_& module) {
   py::class_<Statistics> type(module, "Statistics", "Statistics of a set of errors; named as in evo.");
   type.def_readonly("count", &Statistics::count, "Number of errors.");
@@ -43,9 +106,13 @@ void bind_statistics(py::module_& module) {
     return "<augicp.Statistics rmse " + std::to_string(statistics.rmse) + ", " + std::to_string(statistics.count) +
            " errors>";
   });
+  type.def(pickled<Statistics>(VisitStatistics{}));
   py::class_<PoseStatistics> poses(module, "PoseStatistics", "Statistics of errors of poses.");
   poses.def_readonly("translation", &PoseStatistics::translation, "Statistics in metres.");
   poses.def_readonly("rotation", &PoseStatistics::rotation, "Statistics in radians.");
+  poses.def("__repr__",
+            [](const PoseStatistics& errors) { return "<augicp.PoseStatistics " + in_words(errors) + ">"; });
+  poses.def(pickled<PoseStatistics>(VisitPoseStatistics{}));
 }
 
 }  // namespace
@@ -81,6 +148,8 @@ void bind_evaluate(py::module_& module) {
   type.def("__repr__", [](const Evaluation& evaluation) {
     return "<augicp.Evaluation of " + std::to_string(evaluation.num_matched) + " poses>";
   });
+  type.def("__str__", &lines_of);
+  type.def(py::pickle(&state_of, &evaluation_of_state));
   module.def("evaluate", &evaluate_given, py::arg("estimate"), py::arg("groundtruth"),
              (kDoc + options_doc<EvaluationOptions>()).c_str());
 }

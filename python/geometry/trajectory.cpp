@@ -11,6 +11,7 @@
 #include "python/bindings.h"
 #include "python/core/errors.h"
 #include "python/core/numbers.h"
+#include "python/core/state.h"
 #include "python/core/without_gil.h"
 
 namespace augicp::python {
@@ -70,6 +71,34 @@ py::tuple item(const PyTrajectory& trajectory, py::ssize_t index) {
   return pair_of(trajectory.poses[static_cast<std::size_t>(index < 0 ? index + count : index)]);
 }
 
+// trajectory[2:5] is a Trajectory, trajectory[2] a pair.
+PyTrajectory part(const PyTrajectory& trajectory, const py::slice& slice) {
+  py::ssize_t start = 0, stop = 0, step = 0, count = 0;
+  if (!slice.compute(static_cast<py::ssize_t>(trajectory.poses.size()), &start, &stop, &step, &count))
+    throw py::error_already_set();
+  PyTrajectory chosen;
+  for (; count > 0; --count, start += step) chosen.poses.push_back(trajectory.poses[static_cast<std::size_t>(start)]);
+  check_order(chosen.poses);
+  return chosen;
+}
+
+py::object item_or_part(const PyTrajectory& trajectory, const py::object& index) {
+  if (py::isinstance<py::slice>(index)) return py::cast(part(trajectory, index));
+  const py::ssize_t number = PyNumber_AsSsize_t(index.ptr(), PyExc_IndexError);
+  if (number == -1 && PyErr_Occurred()) throw py::error_already_set();
+  return item(trajectory, number);
+}
+
+struct VisitTrajectory {
+  void operator()(auto& archive, auto& trajectory) const {
+    archive.size(trajectory.poses);
+    for (auto& pose : trajectory.poses) {
+      archive.number(pose.stamp_s);
+      visit_pose(archive, pose.world_from_camera);
+    }
+  }
+};
+
 py::list all_items(const py::object& self) {
   py::list pairs;
   for (const StampedPose& pose : self.cast<const PyTrajectory&>().poses) pairs.append(pair_of(pose));
@@ -90,9 +119,10 @@ void bind_trajectory(py::module_& module) {
   type.def_property_readonly("stamps", &stamps, "(N,) float64, seconds: a new array.");
   type.def_property_readonly("poses", &poses, "(N, 4, 4) float64, T_world_camera: a new array.");
   type.def("__len__", [](const PyTrajectory& trajectory) { return trajectory.poses.size(); });
-  type.def("__getitem__", &item, py::arg("index"));
+  type.def("__getitem__", &item_or_part, py::arg("index"));
   type.def("__iter__",
            [](const py::object& self) { return py::module_::import("builtins").attr("iter")(all_items(self)); });
+  type.def(pickled<PyTrajectory>(VisitTrajectory{}));
   type.def("__repr__", [](const PyTrajectory& trajectory) {
     return "Trajectory(" + std::to_string(trajectory.poses.size()) + " poses)";
   });

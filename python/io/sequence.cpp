@@ -43,7 +43,7 @@ void bind_sequence(py::module_& module) {
   type.def("__len__", [](const DepthSequence& sequence) { return sequence.frames.size(); });
   type.def(
       "__getitem__",
-      [](const DepthSequence& sequence, const py::int_& index) { return py::object(frames(sequence)[index]); },
+      [](const DepthSequence& sequence, const py::object& index) { return py::object(frames(sequence)[index]); },
       py::arg("index"));
   type.def("__iter__", [](const DepthSequence& sequence) {
     return py::module_::import("builtins").attr("iter")(frames(sequence));

@@ -4,7 +4,9 @@
 #include "augicp/odometry/odometry.h"
 #include "python/bindings.h"
 #include "python/core/numbers.h"
+#include "python/core/state.h"
 #include "python/core/words.h"
+#include "python/trust/evidence_state.h"
 
 namespace augicp::python {
 namespace {
@@ -33,6 +35,38 @@ py::object drift(const FrameReport& frame) {
 std::string in_words(const FrameReport& frame) {
   return "<augicp.Frame at " + std::to_string(frame.stamp_s) + " s: " + std::string(name_of(frame.status)) +
          (frame.problem.empty() ? "" : " (" + frame.problem + ")") + ">";
+}
+
+// Everything but the problem, which is text, and the motion during the sweep, which Python does not show.
+struct VisitFrame {
+  void operator()(auto& archive, auto& frame) const {
+    archive.number(frame.stamp_s);
+    archive.number(frame.status);
+    visit_pose(archive, frame.world_from_camera);
+    archive.number(frame.segment);
+    archive.number(frame.is_keyframe);
+    if (archive.has(frame.registration)) archive.number(*frame.registration);
+    archive.number(frame.iterations);
+    archive.number(frame.num_pairs);
+    for (auto* value : {&frame.overlap, &frame.rmse, &frame.strain}) archive.number(*value);
+    if (archive.has(frame.covariance)) visit_matrix(archive, *frame.covariance);
+    archive.size(frame.free_motions);
+    for (auto& motion : frame.free_motions) VisitFreeMotion{}(archive, motion);
+    if (archive.has(frame.drift)) visit_drift(archive, *frame.drift);
+  }
+  static void visit_drift(auto& archive, auto& drift) {
+    visit_pose(archive, drift.keyframe_from_sensor);
+    for (auto* value : {&drift.keyframe_stamp_s, &drift.distance_m, &drift.drift_m, &drift.drift_deg, &drift.expected_m,
+                        &drift.share_chained, &drift.share_direct})
+      archive.number(*value);
+    archive.number(drift.contradicts);
+  }
+};
+
+FrameReport frame_of_state(const py::tuple& state) {
+  FrameReport frame = value_of_state<FrameReport>(state, VisitFrame{});
+  frame.problem = state[2].cast<std::string>();
+  return frame;
 }
 
 }  // namespace
@@ -66,6 +100,9 @@ void bind_frame(py::module_& module) {
     return frame.status == FrameStatus::Tracked || frame.status == FrameStatus::Started;
   });
   type.def("__repr__", &in_words);
+  type.def(
+      py::pickle([](const FrameReport& frame) { return state_of_value(frame, VisitFrame{}, py::str(frame.problem)); },
+                 &frame_of_state));
 }
 
 }  // namespace augicp::python

@@ -89,6 +89,13 @@ class Tracker {
     return scan_of(odometry_.map());
   }
 
+  // ", 30 poses, last scan tracked"
+  std::string state_text() const {
+    const std::lock_guard lock(mutex_);
+    return ", " + std::to_string(trajectory_.size()) + " poses" +
+           (last_ ? ", last scan " + std::string(name_of(last_->status)) : "");
+  }
+
   const LidarOptions& options() const { return options_; }
 
  private:
@@ -128,6 +135,7 @@ void bind_lidar_odometry(py::module_& module) {
   type.def_property_readonly(
       "map", [](const Tracker& tracker) { return cloud_of(tracker.map()); },
       "A Cloud of the surfaces around the last pose, in the world; empty before the first scan.");
+  type.def("__repr__", [](const Tracker& tracker) { return "<augicp.LidarOdometry" + tracker.state_text() + ">"; });
   type.def_property_readonly(
       "options", [](const Tracker& tracker) { return values_of(tracker.options()); },
       "dict of every option as it took effect.");

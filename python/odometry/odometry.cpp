@@ -61,6 +61,13 @@ class Tracker {
     return {trajectory_};
   }
 
+  // ", 30 poses, last frame tracked"
+  std::string state_text() const {
+    const std::lock_guard lock(mutex_);
+    return ", " + std::to_string(trajectory_.size()) + " poses" +
+           (last_ ? ", last frame " + std::string(name_of(last_->status)) : "");
+  }
+
   const OdometryOptions& options() const { return options_; }
 
  private:
@@ -105,6 +112,7 @@ void bind_odometry(py::module_& module) {
   type.def_property_readonly("last_frame", &Tracker::last_frame,
                              "A Frame: how the last image went; None before the first.");
   type.def_property_readonly("trajectory", &Tracker::trajectory, "A Trajectory of every pose so far: a copy.");
+  type.def("__repr__", [](const Tracker& tracker) { return "<augicp.Odometry" + tracker.state_text() + ">"; });
   type.def_property_readonly(
       "options", [](const Tracker& tracker) { return values_of(tracker.options()); },
       "dict of every option as it took effect.");

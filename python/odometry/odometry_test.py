@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Odometry and evaluation: the command's numbers, and what happens to frames that cannot be placed."""
+import copy
 import math
+import pickle
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -50,6 +52,46 @@ def test_the_evaluation_is_the_command_s(tracked, command_folder):
             errors = getattr(evaluation, name)
             assert {field: getattr(errors.translation, field) for field in told[key]["translation"]} == told[key]["translation"]
             assert math.degrees(errors.rotation.rmse) == pytest.approx(told[key]["rotation_deg"]["rmse"], rel=1e-12)
+
+
+def copies(value):
+    return copy.deepcopy(value), pickle.loads(pickle.dumps(value))
+
+
+def test_frames_and_evaluations_copy_and_print(tracked, command_folder):
+    frame = tracked[0].last_frame
+    for other in copies(frame):
+        assert repr(other) == repr(frame) and (other.num_pairs, other.registration) == (frame.num_pairs, frame.registration)
+        assert np.array_equal(other.T_world_camera, frame.T_world_camera)
+    evaluation = augicp.evaluate(command_folder / "trajectory.txt", DESK / "groundtruth.txt")
+    assert f"{evaluation.aligned.translation.rmse:g} m" in str(evaluation) and "object at" not in repr(evaluation.absolute)
+    for other in copies(evaluation):
+        assert str(other) == str(evaluation) and other.options == evaluation.options
+        assert np.array_equal(other.T_truth_estimate, evaluation.T_truth_estimate)
+        assert (other.relative.rotation.sse, other.first_stamp) == (evaluation.relative.rotation.sse, evaluation.first_stamp)
+    assert f"{len(tracked[1])} poses, last frame {frame.status}" in repr(tracked[0])
+
+
+def test_a_frame_without_a_pose_copies():
+    odometry = augicp.Odometry("tum-fr1")
+    assert odometry.add(np.zeros((480, 640), np.float32)) is None
+    for other in copies(odometry.last_frame):
+        assert (other.status, other.problem, other.T_world_camera) == ("no_readings", odometry.last_frame.problem, None)
+
+
+def test_paths_are_images(tracked):
+    odometry = augicp.Odometry("tum-fr1", 5000)
+    for (stamp, path), expected in list(zip(augicp.read_depth_sequence(DESK), tracked[1]))[:2]:
+        assert np.array_equal(odometry.add(path, stamp), expected)
+        cloud = augicp.Cloud.from_depth(str(path), "tum-fr1", 5000)
+        assert np.array_equal(cloud.points, augicp.read(path, "tum-fr1", 5000).points)
+    with pytest.raises(augicp.ArgumentTypeError, match="depth_scale"):
+        augicp.Cloud.from_depth(path, "tum-fr1")
+
+
+def test_metres_with_a_scale_are_a_mistake_with_advice(images):
+    with pytest.raises(augicp.ArgumentError, match="needs no depth_scale"):
+        augicp.Cloud.from_depth(images[0][1], "tum-fr1", 5000)
 
 
 def test_integers_and_metres_give_the_same(images, tracked):

@@ -61,6 +61,7 @@ void bind_iteration(py::module_& module) {
     return "<augicp.Iteration " + std::to_string(iteration.num_pairs) + " pairs, cost " +
            std::to_string(iteration.cost) + ">";
   });
+  type.def(pickled<AlignIteration>(VisitIteration{}));
 }
 
 void bind_runner_up(py::module_& module) {
@@ -72,6 +73,7 @@ void bind_runner_up(py::module_& module) {
   type.def("__repr__", [](const RunnerUp& other) {
     return "<augicp.RunnerUp strain " + std::to_string(strain(other.evidence)) + ">";
   });
+  type.def(pickled<RunnerUp>(VisitRunnerUp{}));
 }
 
 using ResultType = py::class_<Result>;

@@ -4,12 +4,13 @@ import copy
 import json
 import multiprocessing
 import pickle
+import re
 
 import numpy as np
 import pytest
 
 import augicp
-from conftest import ROOM, run_command
+from conftest import DESK, ROOM, run_command
 
 
 @pytest.fixture(scope="module")
@@ -32,6 +33,29 @@ def test_copies_are_equal(result, copied):
     assert other.evidence.strain == result.evidence.strain
     assert other.evidence.source_in_target.num_points == result.evidence.source_in_target.num_points
     assert str(other) == str(result)
+
+
+def parts(result):
+    """All that a result is made of, with what is in it."""
+    evidence = result.evidence
+    return [evidence, evidence.source_in_target, evidence.residuals, evidence.residuals.normal, *result.history[:2], *result.free_motions,
+            *result.runners_up]
+
+
+def shown(value):
+    """Every number that a value shows, in nested dicts."""
+    names = [name for name in dir(type(value)) if isinstance(vars(type(value)).get(name), property)]
+    if not names:
+        return value.tolist() if isinstance(value, np.ndarray) else value
+    return {name: shown(getattr(value, name)) for name in names}
+
+
+def test_parts_print_their_numbers_and_copy(result):
+    wall = np.random.default_rng(1).uniform(-1, 1, (20000, 3)) * (1, 1, 0)
+    for part in parts(result) + parts(augicp.align(wall, wall)):
+        assert re.search(r"^<augicp\.\w+ .*\w.*>$", repr(part)) and " object at " not in repr(part)
+        assert shown(part) == shown(copy.deepcopy(part)) == shown(pickle.loads(pickle.dumps(part)))
+    assert f"{result.evidence.strain:g}" in repr(result.evidence)
 
 
 def test_copies_have_free_motions_and_doubts():
@@ -114,9 +138,19 @@ def test_a_camera_is_a_matrix():
     assert (camera.fx, camera.fy, camera.cx, camera.cy, camera.width) == (525.0, 520.0, 319.5, 239.5, 640)
     depth = np.ones((480, 640), np.float32)
     np.testing.assert_array_equal(augicp.Cloud.from_depth(depth, np.array(matrix)).points, augicp.Cloud.from_depth(depth, camera).points)
+    for own in (augicp.Camera(matrix, width=640, height=480), augicp.Camera(np.array(matrix), width=640, height=480),
+                augicp.Camera(np.float32(525), np.array(520), 319.5, 239.5, 640, 480)):
+        assert repr(own) == repr(camera)
     for wrong in (np.eye(4), np.ones((3, 3))):
-        with pytest.raises(augicp.ArgumentError):
-            augicp.Camera.from_matrix(wrong)
+        for make in (augicp.Camera.from_matrix, augicp.Camera):
+            with pytest.raises(augicp.ArgumentError):
+                make(wrong)
+
+
+@pytest.mark.parametrize("given", [(525,), (525, 525), ("tum-fr1",), (np.eye(3), 640, 480), (525, "520", 1, 1), (None, 1, 1, 1)])
+def test_a_camera_names_what_it_needs(given):
+    with pytest.raises(augicp.ArgumentTypeError, match="fx, fy, cx and cy, or a .3, 3. matrix alone"):
+        augicp.Camera(*given)
 
 
 def test_sequences_iterate():
@@ -124,8 +158,27 @@ def test_sequences_iterate():
     trajectory = augicp.Trajectory([0.0, 1.0, 2.0], poses)
     assert [stamp for stamp, _ in trajectory] == [0.0, 1.0, 2.0]
     assert trajectory[-1][0] == 2.0 and trajectory[0][1].shape == (4, 4)
-    with pytest.raises(IndexError):
-        trajectory[3]
+    for past in (3, -4, 2**100):
+        with pytest.raises(IndexError):
+            trajectory[past]
+    with pytest.raises(TypeError):
+        trajectory["first"]
+
+
+@pytest.mark.parametrize("part", [slice(1, None), slice(None, -1), slice(0, 4, 2), slice(3, 3), slice(-2, 9)], ids=str)
+def test_sequences_have_parts(part):
+    trajectory = augicp.Trajectory(np.arange(4.0), np.stack([np.eye(4)] * 4))
+    np.testing.assert_array_equal(trajectory[part].stamps, trajectory.stamps[part])
+    assert trajectory[part].poses.shape == trajectory.poses[part].shape
+    images = augicp.read_depth_sequence(DESK)
+    assert images[part] == images.frames[part]
+
+
+def test_a_trajectory_copies():
+    trajectory = augicp.read_trajectory(DESK / "groundtruth.txt")
+    for other in (copy.deepcopy(trajectory), pickle.loads(pickle.dumps(trajectory))):
+        np.testing.assert_array_equal(other.stamps, trajectory.stamps)
+        np.testing.assert_array_equal(other.poses, trajectory.poses)
 
 
 def test_degrees_are_not_radians():

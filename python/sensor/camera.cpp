@@ -10,6 +10,7 @@
 #include "python/bindings.h"
 #include "python/core/errors.h"
 #include "python/core/numbers.h"
+#include "python/core/options.h"
 
 namespace augicp::python {
 namespace {
@@ -18,7 +19,8 @@ namespace py = pybind11;
 
 constexpr const char* kDoc = R"(A depth camera: pinhole, lens and shutter. It cannot be changed.
 
-Camera(fx, fy, cx, cy, width, height, distortion, readout_s)
+Camera(fx, fy, cx, cy), or Camera(K) of a (3, 3) intrinsic matrix with rows fx 0 cx, 0 fy cy, 0 0 1; then width, height,
+distortion and readout_s.
 
 Focal lengths and centre in pixels; pixel (0, 0) is the centre of the first one. Camera frame: x right, y down, z forward.
 width, height: of its images; 0: any. distortion: the lens's k1 k2 p1 p2 k3, as in OpenCV and ROS ("plumb_bob").
@@ -30,14 +32,14 @@ constexpr const char* kReadDoc = R"(A camera from text: a known name (see Camera
 without the lens "k1 k2 p1 p2 k3" after them, or the path of a file with such numbers, a 3 x 3 intrinsic matrix, or
 JSON as Open3D writes it. Raises FileError.)";
 
-DepthCamera made(double fx, double fy, double cx, double cy, int width, int height,
-                 const std::vector<double>& distortion, double readout_s) {
+DepthCamera of_pinhole(const Pinhole& pinhole, const std::vector<double>& distortion, double readout_s) {
   if (distortion.size() != 5)
     throw std::invalid_argument("distortion: expected the five numbers k1 k2 p1 p2 k3, found " +
                                 std::to_string(distortion.size()));
   const std::vector<double>& k = distortion;
-  DepthCamera camera{{fx, fy, cx, cy, width, height}, {k[0], k[1], k[2], k[3], k[4]}, readout_s};
-  if (width < 0 || height < 0) throw std::invalid_argument("width, height: must be at least 0 (0: any)");
+  DepthCamera camera{pinhole, {k[0], k[1], k[2], k[3], k[4]}, readout_s};
+  if (pinhole.width < 0 || pinhole.height < 0)
+    throw std::invalid_argument("width, height: must be at least 0 (0: any)");
   camera.check();
   return camera;
 }
@@ -51,7 +53,34 @@ DepthCamera from_matrix(const py::object& matrix, int width, int height, const s
   const Reals at(numbers);
   if (at(0, 1) != 0.0 || at(1, 0) != 0.0 || at(2, 0) != 0.0 || at(2, 1) != 0.0 || at(2, 2) != 1.0)
     throw std::invalid_argument("matrix: expected rows fx 0 cx, 0 fy cy, 0 0 1; cameras with skew are not known");
-  return made(at(0, 0), at(1, 1), at(0, 2), at(1, 2), width, height, distortion, readout_s);
+  return of_pinhole({at(0, 0), at(1, 1), at(0, 2), at(1, 2), width, height}, distortion, readout_s);
+}
+
+// Text too, but no array without dimensions.
+bool has_length(const py::object& given) {
+  const bool has = PyObject_Size(given.ptr()) >= 0;
+  PyErr_Clear();
+  return has;
+}
+
+// fx is the matrix where it stands alone.
+DepthCamera made(const py::object& fx, const py::object& fy, const py::object& cx, const py::object& cy, int width,
+                 int height, const std::vector<double>& distortion, double readout_s) {
+  if (has_length(fx) && !py::isinstance<py::str>(fx) && fy.is_none() && cx.is_none() && cy.is_none())
+    return from_matrix(fx, width, height, distortion, readout_s);
+  for (const py::object* given : {&fx, &fy, &cx, &cy})
+    if (given->is_none() || has_length(*given))
+      throw WrongType(
+          "Camera: expected the numbers fx, fy, cx and cy, or a (3, 3) matrix alone, with width= and height= by name; "
+          "Camera.read() takes text");
+  Pinhole pinhole;
+  take("fx", fx, pinhole.fx);
+  take("fy", fy, pinhole.fy);
+  take("cx", cx, pinhole.cx);
+  take("cy", cy, pinhole.cy);
+  pinhole.width = width;
+  pinhole.height = height;
+  return of_pinhole(pinhole, distortion, readout_s);
 }
 
 std::vector<double> coefficients(const DepthCamera& camera) {
@@ -85,8 +114,8 @@ bool is_matrix(const py::object& given) {
 void bind_camera(py::module_& module) {
   const DepthCamera usual;
   py::class_<DepthCamera> type(module, "Camera", kDoc);
-  type.def(py::init(&made), py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"),
-           py::arg("width") = usual.pinhole.width, py::arg("height") = usual.pinhole.height,
+  type.def(py::init(&made), py::arg("fx"), py::arg("fy") = py::none(), py::arg("cx") = py::none(),
+           py::arg("cy") = py::none(), py::arg("width") = usual.pinhole.width, py::arg("height") = usual.pinhole.height,
            py::arg("distortion") = coefficients(usual), py::arg("readout_s") = usual.readout_s);
   type.def_static(
       "read", [](const std::string& text) { return read_camera(text); }, py::arg("text"), kReadDoc);

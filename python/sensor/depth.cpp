@@ -36,6 +36,17 @@ std::vector<Value> values_of(const py::array& given) {
   return {array.data(), array.data() + array.size()};
 }
 
+bool is_path(const py::object& given) { return py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"); }
+
+DepthImage image_of_file(const py::object& path, std::optional<double> depth_scale) {
+  if (!depth_scale)
+    throw WrongType(
+        "depth image: the path of a file needs depth_scale, the value of one metre: 5000 in the TUM benchmark, 1000 in "
+        "most others");
+  const auto file = path.cast<std::filesystem::path>();
+  return without_gil([&](const std::stop_token&) { return read_depth_png(file, *depth_scale); });
+}
+
 std::vector<std::uint16_t> sensor_values(const py::array& image) {
   if (py::dtype::of<std::uint16_t>().equal(image.dtype())) return values_of<std::uint16_t>(image);
   std::vector<std::uint16_t> values;
@@ -71,6 +82,7 @@ void write_depth(const std::filesystem::path& path, const py::object& image, dou
 }  // namespace
 
 DepthImage depth_image_from(const py::object& given, std::optional<double> depth_scale) {
+  if (is_path(given)) return image_of_file(given, depth_scale);
   const py::array image = as_numbers(given, "depth image");
   check_shape(image);
   const int height = static_cast<int>(image.shape(0)), width = static_cast<int>(image.shape(1));
@@ -85,7 +97,8 @@ DepthImage depth_image_from(const py::object& given, std::optional<double> depth
 
 void check_scale(const DepthImage& image, std::optional<double> depth_scale) {
   if (const auto problem = depth_scale_problem(image, depth_scale.value_or(kMetres)))
-    throw std::invalid_argument("depth image: " + *problem);
+    throw std::invalid_argument("depth image: " + *problem +
+                                (depth_scale ? ". An image of metres needs no depth_scale" : ""));
 }
 
 void bind_depth(py::module_& module) {

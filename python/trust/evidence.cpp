@@ -7,6 +7,7 @@
 #include "python/core/numbers.h"
 #include "python/core/words.h"
 #include "python/registration/result.h"
+#include "python/trust/evidence_state.h"
 
 namespace augicp::python {
 namespace {
@@ -28,6 +29,30 @@ void bind_free_motion(py::module_& module) {
     text << "<augicp.FreeMotion " << name_of(motion.kind) << " axis (" << motion.axis.transpose() << ")>";
     return text.str();
   });
+  type.def(pickled<FreeMotion>(VisitFreeMotion{}));
+}
+
+std::string in_words(const Testimony& testimony) {
+  std::ostringstream text;
+  text << "<augicp.Testimony of " << testimony.count.total() << " points: seen " << testimony.seen() << ", agreeing "
+       << testimony.agreeing() << ", conflicting " << testimony.conflicting() << ", contradicting "
+       << testimony.contradicting << ">";
+  return text.str();
+}
+
+std::string in_words(const Residuals& residuals) {
+  std::ostringstream text;
+  text << "<augicp.Residuals median point " << residuals.point.median << " m, normal " << residuals.normal.median
+       << " rad, tangent " << residuals.tangent.median << " rad>";
+  return text.str();
+}
+
+std::string in_words(const Evidence& evidence) {
+  std::ostringstream text;
+  text << "<augicp.Evidence strain " << strain(evidence) << ", seen " << evidence.source_in_target.seen() << " and "
+       << evidence.target_in_source.seen() << ", agreeing " << evidence.source_in_target.agreeing() << " and "
+       << evidence.target_in_source.agreeing() << ">";
+  return text.str();
 }
 
 void bind_testimony(py::module_& module) {
@@ -44,16 +69,26 @@ void bind_testimony(py::module_& module) {
   type.def_readonly(
       "off_planes", &Testimony::off_planes,
       "How well points off the large planes agree, divided by how well those on them do; 1 if not asked.");
+  type.def("__repr__", [](const Testimony& testimony) { return in_words(testimony); });
+  type.def(pickled<Testimony>(VisitTestimony{}));
 }
 
 void bind_residuals(py::module_& module) {
   py::class_<ResidualStatistics> statistics(module, "ResidualStatistics", "The typical size of one kind of residual.");
   statistics.def_readonly("count", &ResidualStatistics::count, "Pairs with this residual.");
   statistics.def_readonly("median", &ResidualStatistics::median, "Metres or radians; 0 if there is none.");
+  statistics.def("__repr__", [](const ResidualStatistics& kind) {
+    std::ostringstream text;
+    text << "<augicp.ResidualStatistics median " << kind.median << " of " << kind.count << " pairs>";
+    return text.str();
+  });
+  statistics.def(pickled<ResidualStatistics>(VisitResidualStatistics{}));
   py::class_<Residuals> residuals(module, "Residuals", "Residuals of each measured quantity under the pose.");
   residuals.def_readonly("point", &Residuals::point, "Distances from the target's planes, metres.");
   residuals.def_readonly("normal", &Residuals::normal, "Angles between normals, radians.");
   residuals.def_readonly("tangent", &Residuals::tangent, "Angles between tangents, radians.");
+  residuals.def("__repr__", [](const Residuals& kinds) { return in_words(kinds); });
+  residuals.def(pickled<Residuals>(VisitResiduals{}));
 }
 
 }  // namespace
@@ -75,6 +110,8 @@ void bind_evidence(py::module_& module) {
   type.def_property_readonly(
       "strain", [](const Evidence& evidence) { return strain(evidence); },
       "The largest ratio of a value to its limit; above 1 the pose is doubtful.");
+  type.def("__repr__", [](const Evidence& evidence) { return in_words(evidence); });
+  type.def(pickled<Evidence>(VisitEvidence{}));
 }
 
 }  // namespace augicp::python
