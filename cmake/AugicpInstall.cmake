@@ -5,13 +5,18 @@ include(CMakePackageConfigHelpers)
 set(AUGICP_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/augicp)
 
 # The lines with which a package file finds these imported targets: Package::target comes from find_package(Package). So a
-# module that links something new needs no change here.
+# module that links something new needs no change here. What cmake/ finds by a file of its own is found by that file, whatever
+# the toolchain prefers.
 function(augicp_find_lines result)
   set(lines "")
   foreach(library IN LISTS ARGN)
     if(library MATCHES "^(.+)::")
       string(REGEX REPLACE "^SQLite$" "SQLite3" package "${CMAKE_MATCH_1}")  # the one whose name differs
-      string(APPEND lines "find_dependency(${package})\n")
+      set(mode "")
+      if(EXISTS ${PROJECT_SOURCE_DIR}/cmake/Find${package}.cmake)
+        set(mode " MODULE")
+      endif()
+      string(APPEND lines "find_dependency(${package}${mode})\n")
     endif()
   endforeach()
   set(${result} "${lines}" PARENT_SCOPE)

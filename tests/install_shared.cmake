@@ -2,9 +2,9 @@
 # Included by install_test.cmake: the preset `install` in SHARED_BUILD, built with a shared library from the objects of BUILD,
 # and its command installed and run.
 
-# Neither GoogleTest nor Ceres may be asked for.
+# Neither GoogleTest nor Ceres may be asked for. Packages are preferred as a toolchain of Conan's would.
 set(preset ${CMAKE_COMMAND} --preset install -S ${SOURCE} -B ${SHARED_BUILD} -DCMAKE_CXX_COMPILER=${COMPILER}
-  -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_Ceres=ON)
+  -DCMAKE_FIND_PACKAGE_PREFER_CONFIG=ON -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_Ceres=ON)
 file(REMOVE_RECURSE ${SHARED_BUILD})
 run(${preset})
 file(READ ${SHARED_BUILD}/compile_commands.json commands)

@@ -26,7 +26,9 @@ list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n")
 list(JOIN headers "" all_headers)
 file(WRITE ${WORK}/all_headers.cpp "${all_headers}")
 
+# Toolchains such as Conan's prefer the packages that libraries bring, some of which have targets of other names.
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${WORK}/consumer -G Ninja ${cxx} -DCMAKE_PREFIX_PATH=${prefix}
+  -DCMAKE_FIND_PACKAGE_PREFER_CONFIG=ON
   -DALL_HEADERS_SOURCE=${WORK}/all_headers.cpp -DEXAMPLES=${SOURCE}/examples)
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/consumer)

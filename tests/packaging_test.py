@@ -60,6 +60,17 @@ def versions():
     yield "debian/changelog", re.match(r"augicp \(([\d.]+)-\d+\)", (PACKAGING / "debian/changelog").read_text(encoding="utf-8"))[1]
 
 
+def unknown_options():
+    """Options of the project that a recipe sets, and that no CMake file of it has."""
+    known = "".join(file.read_text(encoding="utf-8") for file in [PROJECT / "CMakeLists.txt", *(PROJECT / "cmake").glob("*.cmake")])
+    for recipe in (*RECIPES, "packaging/debian/rules", "packaging/vcpkg/augicp/portfile.cmake", "colcon.pkg", "pyproject.toml"):
+        text = (PROJECT / recipe).read_text(encoding="utf-8")
+        for name in sorted(set(re.findall(r"-D(AUGICP_[A-Z_]+)|\b(AUGICP_[A-Z_]+) = ", text))):
+            name = "".join(name)
+            if not re.search(rf"(option|set)\({name}\b", known):
+                yield f"{recipe} sets {name}, which no CMake file has"
+
+
 def library_package():
     """Debian names the package of a shared library by its soname: libaugicp.so.MAJOR.MINOR, below 1.0."""
     return "libaugicp" + ".".join(VERSION.split(".")[:2])
@@ -79,7 +90,8 @@ def commands():
 
 
 def main():
-    wrong = [f"{place} has version {version}, VERSION has {VERSION}" for place, version in versions() if version != VERSION] + list(lacking())
+    wrong = [f"{place} has version {version}, VERSION has {VERSION}" for place, version in versions() if version != VERSION] + list(lacking()) + list(unknown_options())
+    json.loads((PROJECT / "colcon.pkg").read_text(encoding="utf-8"))
     if f"Package: {library_package()}\n" not in (PACKAGING / "debian/control").read_text(encoding="utf-8"):
         wrong.append(f"debian/control has no package {library_package()}")
     for file in PACKAGING.rglob("*.py"):

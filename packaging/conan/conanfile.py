@@ -52,5 +52,6 @@ class Augicp(ConanFile):
         copy(self, "LICENSE", self.source_folder, Path(self.package_folder) / "licenses")
 
     def package_info(self):
-        self.cpp_info.libs = ["augicp"]
-        self.cpp_info.set_property("cmake_target_name", "augicp::augicp")
+        # The library's own CMake package, which knows what else must be linked.
+        self.cpp_info.set_property("cmake_find_mode", "none")
+        self.cpp_info.builddirs = [str(Path("lib/cmake/augicp"))]
