@@ -79,8 +79,10 @@ def library_package():
 def commands():
     yield ["zsh", "-n", PACKAGING / "completion/augicp.zsh"]
     yield ["fish", "--no-execute", PACKAGING / "completion/augicp.fish"]
-    for script in (PACKAGING / "completion/augicp.bash", PACKAGING / "wheel/install-libraries", PROJECT / "scripts/wheel", PROJECT / "scripts/package"):
-        yield ["bash", "-n", script]
+    for script in ("completion/augicp.bash", "empty_debian.sh", "wheel/install-libraries", "wheel/try_in_empty_debian"):
+        yield ["bash", "-n", PACKAGING / script]
+    for script in ("wheel", "package", "portability"):
+        yield ["bash", "-n", PROJECT / "scripts" / script]
     for test in (PACKAGING / "debian/tests").iterdir():
         if test.name != "control":
             yield ["sh", "-n", test]
