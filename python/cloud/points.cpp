@@ -27,7 +27,7 @@ void refuse_foreign_cloud(const py::object& given, const std::string& name) {
   const auto type = py::str(py::type::of(given).attr("__module__")).cast<std::string>() + "." +
                     py::str(py::type::of(given).attr("__name__")).cast<std::string>();
   const bool is_method = PyCallable_Check(given.attr("points").ptr()) != 0;
-  throw WrongType(name + ": found a " + type + "; give numpy.asarray(" + name + ".points" + (is_method ? "()" : "") +
+  throw WrongType(name + ": found " + type + "; give numpy.asarray(" + name + ".points" + (is_method ? "()" : "") +
                   ")");
 }
 

@@ -128,7 +128,7 @@ def test_clouds_of_other_packages_are_recognised():
     class PointCloud:
         points = [[0.0, 0.0, 0.0]]
 
-    with pytest.raises(augicp.ArgumentTypeError, match=r"PointCloud; give numpy.asarray\(source.points\)"):
+    with pytest.raises(augicp.ArgumentTypeError, match=r"source: found .*PointCloud; give numpy.asarray\(source.points\)"):
         augicp.align(PointCloud(), [[0.0, 0.0, 0.0]])
 
 
