@@ -21,7 +21,7 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
     case Doubt::LittleSeen:
       return fmt::format(
           "Small overlap: {:.1f} % and {:.1f} % are visible to the other sensor; {:.0f} % are required, more if less "
-          "agrees.",
+          "agrees, and more still without lines of sight.",
           100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_margin);
     case Doubt::Disagreement:
       return fmt::format("Only {:.1f} % and {:.1f} % of the visible points are on the other's surface.",

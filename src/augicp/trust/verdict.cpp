@@ -28,6 +28,15 @@ std::array<double, 5> strains(const Testimony& testimony, const VerdictLimits& l
           (1.0 - testimony.off_planes) / (1.0 - limits.min_off_planes)};
 }
 
+// The ratio of what both clouds see of each other, and how well that agrees, to its limit. A mirrored room fits by
+// half.
+double joint_strain(const Testimony& one, const Testimony& other, const VerdictLimits& limits) {
+  if (one.knows_free_space && other.knows_free_space) return 0.0;
+  const double seen = 0.5 * (one.seen() + other.seen()), agreeing = 0.5 * (one.agreeing() + other.agreeing());
+  const double margin = seen - limits.disagreement_weight_without_camera * (1.0 - agreeing);
+  return (1.0 - margin) / (1.0 - limits.min_margin_without_camera);
+}
+
 // Whether a cloud shows all of the other.
 constexpr double kAll = 0.99;
 bool shows_all(const Testimony& testimony) { return testimony.seen() >= kAll && testimony.agreeing() >= kAll; }
@@ -39,11 +48,13 @@ std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& lim
   auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
   if (shows_all(evidence.source_in_target)) other[0] = other[1] = other[3] = other[4] = 0.0;
   if (shows_all(evidence.target_in_source)) one[0] = one[1] = one[3] = one[4] = 0.0;
+  const bool is_part = shows_all(evidence.source_in_target) || shows_all(evidence.target_in_source);
+  const double joint = is_part ? 0.0 : joint_strain(evidence.source_in_target, evidence.target_in_source, limits);
   const double bare =
       evidence.beyond_planes < limits.min_beyond_planes ? evidence.moved / limits.max_moved_on_planes : 0.0;
   // What one cloud has off its planes the other may not have seen, but not both.
   const double only_planes = std::min(one[4], other[4]);
-  return {std::max(one[0], other[0]),
+  return {std::max({one[0], other[0], joint}),
           std::max(one[1], other[1]),
           std::max(one[2], other[2]),
           std::max(one[3], other[3]),
@@ -70,6 +81,8 @@ double Testimony::conflicting() const { return share(count.conflict, visible(cou
 
 void VerdictLimits::check() const {
   require_share("min_margin", min_margin);
+  require_not_negative("disagreement_weight_without_camera", disagreement_weight_without_camera);
+  require_share("min_margin_without_camera", min_margin_without_camera);
   require_share("min_agreeing", min_agreeing);
   require_share("min_agreeing_without_camera", min_agreeing_without_camera);
   require_positive("max_conflicting", max_conflicting);

@@ -84,6 +84,24 @@ TEST(Verdict, TheLessIsSeenTheBetterItMustAgree) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
+// Half of what fits by chance agrees by nine tenths. It is enough only if both know their free space, or one is a part.
+TEST(Verdict, WithoutLinesOfSightHalfAnOverlapMustAgreeBetter) {
+  const Agreement half{.agree = 450, .differ = 50, .unseen = 500};
+  Evidence evidence = good_evidence();
+  evidence.source_in_target.count = evidence.target_in_source.count = half;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  for (Testimony Evidence::*side : {&Evidence::source_in_target, &Evidence::target_in_source}) {
+    Evidence blind = evidence;
+    (blind.*side).knows_free_space = false;
+    EXPECT_EQ(decide(AlignStatus::Converged, blind).doubts, std::vector<Doubt>{Doubt::LittleSeen});
+    (blind.*side).count = {.agree = 850, .differ = 50, .unseen = 100};
+    EXPECT_EQ(decide(AlignStatus::Converged, blind).status, AlignStatus::Converged);
+    (blind.*side).count = {.agree = 1000};
+    (blind.*side).knows_free_space = false;
+    EXPECT_EQ(decide(AlignStatus::Converged, blind).status, AlignStatus::Converged);
+  }
+}
+
 // A scan of one side on the whole model: the model's back has no partner. What it puts into free space still counts.
 TEST(Verdict, APartIsNotAskedForWhatItLacks) {
   for (const bool source_is_part : {false, true}) {
