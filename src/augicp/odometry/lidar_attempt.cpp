@@ -3,6 +3,7 @@
 #include "augicp/odometry/lidar_attempt.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,10 @@ constexpr double kGatePerError = 3.0;
 
 // A gate wider than this many of the least ones is closed in two steps.
 constexpr double kWideGate = 1.25;
+
+// Another start, or another motion during the sweep, is better if it brings this many times the points onto surfaces.
+// Where motions are free, all fit equally well, and the prediction is the better guess.
+constexpr double kClearGain = 1.02;
 
 // The kernel's least width, voxels: at the first step the right pairs are as far apart as the prediction is wrong.
 constexpr double kMinKernel = 0.05;
@@ -138,6 +143,13 @@ std::optional<DriftCheck> LidarOdometry::checked(const Attempt& attempt) const {
   return self_check_.check(attempt.source, attempt.world_from_sensor, covariance_at_sensor(attempt), options);
 }
 
+// A search takes as long as thirty scans. What the first two have not found, the third seldom finds: of lost scans in a
+// row the first, second, fourth, eighth are searched for.
+bool LidarOdometry::is_search_due() const {
+  const auto number = static_cast<unsigned>(num_lost_ + 1);
+  return std::has_single_bit(number);
+}
+
 // Registers to the last keyframe from many starts, and to the map from there.
 void LidarOdometry::search(Attempt& attempt) const {
   RegistrationOptions registration;
@@ -154,13 +166,27 @@ void LidarOdometry::search(Attempt& attempt) const {
   if (other.agreement > attempt.agreement) attempt = std::move(other);
 }
 
-LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const {
+LidarOdometry::Attempt LidarOdometry::from(const Start& start, const Cloud& scan, const SweepShares& shares) const {
+  Attempt attempt = prepared(scan, shares, start.motion);
+  align_to_map(start.world_from_sensor, std::min(start.gate_voxels, kMaxGate) * voxel_size_, attempt);
+  return attempt;
+}
+
+// From where the prediction leads. If that does not convince, or the last motion is too old to tell, also from the last
+// pose: the sensor may have stopped, or the stamps have jumped.
+LidarOdometry::Attempt LidarOdometry::started(double stamp_s, const Cloud& scan, const SweepShares& shares) const {
   const Rigid3 guess = predicted(stamp_s);
-  Attempt attempt = prepared(scan, shares, motion_of_sweep(stamp_s, guess));
   const double gate =
-      before_last_ ? options_.gate_voxels * voxel_size_ + kGatePerError * prediction_error_ : kFirstGate * voxel_size_;
-  align_to_map(guess, std::min(gate, kMaxGate * voxel_size_), attempt);
-  if (options_.search && attempt.agreement < options_.min_agreement * usual_agreement_) search(attempt);
+      before_last_ ? options_.gate_voxels + kGatePerError * prediction_error_ / voxel_size_ : kFirstGate;
+  Attempt attempt = from({guess, motion_of_sweep(stamp_s, guess), gate}, scan, shares);
+  if (!before_last_ || (is_convincing(attempt) && spans_since_last(stamp_s) <= kTrustedSpans)) return attempt;
+  Attempt at_rest = from({last_->world_from_camera, SweepMotion{}, kFirstGate}, scan, shares);
+  return at_rest.agreement > kClearGain * attempt.agreement ? at_rest : attempt;
+}
+
+LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const {
+  Attempt attempt = started(stamp_s, scan, shares);
+  if (options_.search && !is_convincing(attempt) && is_search_due()) search(attempt);
   for (const double least_voxels : kRedoVoxels) {
     const SweepMotion found = motion_of_sweep(stamp_s, attempt.world_from_sensor);
     if (shares.empty() ||
@@ -169,6 +195,7 @@ LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& sc
     Attempt again = prepared(scan, shares, found);
     align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, again);
     again.iterations += attempt.iterations;
+    if (attempt.agreement > kClearGain * again.agreement) break;  // after a gap the mean motion may be wrong
     attempt = std::move(again);
   }
   return attempt;

@@ -19,9 +19,21 @@ struct LidarOdometry::Attempt {
   std::optional<double> gain_of_deskewing;  // of the agreement, where both were tried
 };
 
+// From where a registration to the map begins.
+struct LidarOdometry::Start {
+  Rigid3 world_from_sensor;
+  SweepMotion motion;  // with which the scan is straightened
+  double gate_voxels;
+};
+
 // The distance of a typical point, voxels: a rotation counts as what it moves a point there.
 inline constexpr double kTypicalDistanceVoxels = 15.0;
 inline double typical_distance(double voxel_size) { return kTypicalDistanceVoxels * voxel_size; }
+
+// A motion between two scans predicts this many times its own time ahead: after longer gaps the sensor may as well have
+// stopped. After the second number of times it says nothing, neither of the sensor's place nor of its motion.
+inline constexpr double kTrustedSpans = 3.0;
+inline constexpr double kForgottenSpans = 10.0;
 
 // How far two poses are apart, metres: by their translations, and by what their rotations move a point at a distance.
 inline double motion_between(const Rigid3& a, const Rigid3& b, double typical_distance) {

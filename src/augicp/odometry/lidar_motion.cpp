@@ -19,12 +19,21 @@ constexpr double kShareOfLast = 0.5;
 
 }  // namespace
 
+// The time since the last pose, in times that the last motion took. REQUIRES: before_last_.
+double LidarOdometry::spans_since_last(double stamp_s) const {
+  return (stamp_s - last_->stamp_s) / (last_->stamp_s - before_last_->stamp_s);
+}
+
+// The recording has paused for so long that the last motion says nothing.
+bool LidarOdometry::is_after_pause(double stamp_s) const {
+  return before_last_ && spans_since_last(stamp_s) > kForgottenSpans;
+}
+
 // Constant velocity, in the sensor's frame.
 Rigid3 LidarOdometry::predicted(double stamp_s) const {
   if (!before_last_) return last_->world_from_camera;
   const Rigid3 motion = inverse(before_last_->world_from_camera) * last_->world_from_camera;
-  const double share = (stamp_s - last_->stamp_s) / (last_->stamp_s - before_last_->stamp_s);
-  return last_->world_from_camera * part_of(motion, share);
+  return last_->world_from_camera * part_of(motion, spans_since_last(stamp_s));
 }
 
 // Of a sweep this long after the last pose.
@@ -37,7 +46,7 @@ double LidarOdometry::sweep_s(double passed_s) const {
 // differences of poses are noisy, and a scan straightened with too much of them gets a pose that is as wrong on the
 // other side. Where motions are free, poses are partly predictions, and show no acceleration.
 LidarOdometry::Accelerations LidarOdometry::beyond_arc(double stamp_s, const Rigid3& world_from_sensor) const {
-  if (!before_last_ || is_last_degenerate_) return {};
+  if (!before_last_ || is_last_degenerate_ || is_after_pause(stamp_s)) return {};
   const StampedPose now{stamp_s, world_from_sensor};
   const double duration_s = sweep_s(stamp_s - last_->stamp_s);
   const SweepMotion arc = motion_of_last(std::nullopt, *last_, now, duration_s);

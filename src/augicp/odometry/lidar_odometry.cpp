@@ -62,11 +62,15 @@ void LidarOptions::check() const {
 
 LidarOdometry::LidarOdometry(const LidarOptions& options) : options_(options) { options.check(); }
 
+bool LidarOdometry::is_convincing(const Attempt& attempt) const {
+  return attempt.agreement >= options_.min_agreement * usual_agreement_;
+}
+
 FrameStatus LidarOdometry::status_of(const Attempt& attempt) const {
   const AlignStatus status = attempt.result.status;
   if (!has_pose(status) || attempt.agreement < 0.5 * options_.min_agreement * usual_agreement_)
     return FrameStatus::Lost;
-  if (attempt.agreement < options_.min_agreement * usual_agreement_) return FrameStatus::Doubtful;
+  if (!is_convincing(attempt)) return FrameStatus::Doubtful;
   return status == AlignStatus::Degenerate ? FrameStatus::Degenerate : FrameStatus::Tracked;
 }
 
@@ -146,6 +150,7 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
     return report;
   }
   const Rigid3 guess = predicted(stamp_s);
+  if (is_after_pause(stamp_s)) start_scan_.reset();
   if (start_scan_) straighten_start(stamp_s, scan, shares);
   const Attempt attempt = tried(stamp_s, scan, shares);
   report.status = status_of(attempt);
@@ -186,17 +191,21 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
     report.problem = "a direct registration to a keyframe farther back contradicts";
   }
   if (attempt.gain_of_deskewing) gain_of_deskewing_ += *attempt.gain_of_deskewing, ++num_trials_;
-  const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
-  prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
+  const bool has_paused = is_after_pause(report.stamp_s);
+  if (!has_paused) {
+    const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
+    prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
+  }
   beyond_arc_ = beyond_arc(report.stamp_s, attempt.world_from_sensor);
   is_last_degenerate_ = report.status == FrameStatus::Degenerate;
-  before_last_ = last_;
+  before_last_ = has_paused ? std::nullopt : last_;
+  if (has_paused) start_scan_.reset();
   last_ = StampedPose{report.stamp_s, attempt.world_from_sensor};
   const Rigid3 since = inverse(keyframe_->world_from_sensor) * attempt.world_from_sensor;
   const bool is_far = options_.parts.is_last_scan_alone ||
                       since.translation.norm() > options_.keyframe_distance_voxels * voxel_size_ ||
                       angle_between(since, Rigid3{}) > options_.keyframe_angle;
-  report.is_keyframe = is_far && report.status != FrameStatus::Doubtful;
+  report.is_keyframe = is_far && !has_paused && report.status != FrameStatus::Doubtful;
   if (report.is_keyframe) merge(report.stamp_s, attempt);
 }
 

@@ -121,6 +121,7 @@ class LidarOdometry {
 
  private:
   struct Attempt;  // one scan at one pose
+  struct Start;
   struct Keyframe {
     Cloud cloud;
     Rigid3 world_from_sensor;
@@ -137,6 +138,8 @@ class LidarOdometry {
     Vec3d linear = Vec3d::Zero(), angular = Vec3d::Zero();
   };
 
+  double spans_since_last(double stamp_s) const;
+  bool is_after_pause(double stamp_s) const;
   Rigid3 predicted(double stamp_s) const;
   Accelerations beyond_arc(double stamp_s, const Rigid3& world_from_sensor) const;
   double sweep_s(double passed_s) const;
@@ -151,10 +154,14 @@ class LidarOdometry {
   Attempt prepared(const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
   AlignOptions align_options() const;
   void align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const;
+  bool is_convincing(const Attempt& attempt) const;
+  Attempt from(const Start& start, const Cloud& scan, const SweepShares& shares) const;
+  Attempt started(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   Attempt tried(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   void search(Attempt& attempt) const;
   bool is_check_due() const;
+  bool is_search_due() const;
   bool wants_covariance() const;
   std::optional<DriftCheck> checked(const Attempt& attempt) const;
   std::optional<Mat6d> covariance_at_sensor(const Attempt& attempt) const;

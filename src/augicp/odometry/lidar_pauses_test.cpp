@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// LidarOdometry across gaps in a recording. The same with more seeds and lengths:
+// experiments/odometry/lidar_pauses.cpp.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "augicp/geometry/rotation.h"
+#include "augicp/odometry/lidar_odometry.h"
+#include "augicp/synthetic/lidar.h"
+#include "augicp/synthetic/outdoor_scenes.h"
+#include "augicp/testing/matchers.h"
+
+namespace augicp {
+namespace {
+
+using testing::NearPose;
+
+constexpr double kSweep_s = 0.1, kSpeed = 6.0, kBraking = 7.0;
+constexpr int kNumBefore = 5, kNumAfter = 4;
+constexpr double kPause_s = kNumBefore * kSweep_s;
+
+synthetic::Lidar small_lidar() {
+  synthetic::Lidar lidar;
+  lidar.num_rings = 32;
+  lidar.num_azimuths = 360;
+  lidar.sweep_s = kSweep_s;
+  return lidar;
+}
+
+LidarOptions one_thread() {
+  LidarOptions options;
+  options.num_threads = 1;
+  return options;
+}
+
+// The distance that the sensor has driven. It brakes when the recording pauses.
+double braked(double time_s) {
+  const double t = std::clamp(time_s - kPause_s, 0.0, kSpeed / kBraking);
+  return kSpeed * std::min(time_s, kPause_s) + kSpeed * t - 0.5 * kBraking * t * t;
+}
+
+struct Pause {
+  std::string name;
+  double gap_s;
+  std::function<double(double time_s, double gap_s)> distance;
+  double rotation = 0.0;        // during the pause, radians
+  bool is_clock_alone = false;  // the stamps jump, the sensor drives on
+};
+
+std::ostream& operator<<(std::ostream& stream, const Pause& pause) { return stream << pause.name; }
+
+double driving(double time_s, double) { return kSpeed * time_s; }
+double stopping(double time_s, double) { return braked(time_s); }
+double starting_again(double time_s, double gap_s) {
+  return braked(time_s) + kSpeed * std::max(0.0, time_s - kPause_s - gap_s);
+}
+
+class LidarPauses : public ::testing::TestWithParam<Pause> {
+ protected:
+  Rigid3 place_at(double time_s) const {
+    const double turned = std::clamp((time_s - kPause_s) / GetParam().gap_s, 0.0, 1.0) * GetParam().rotation;
+    return {rotation_exp({0.0, 0.0, turned}), {GetParam().distance(time_s, GetParam().gap_s), 0.0, 0.0}};
+  }
+};
+
+// Without a search, except where the sensor has rotated: it costs a second, and hides what the starts are worth.
+// Whether the sensor moves during the first sweep after the gap is not known, so that this one may be Degenerate.
+TEST_P(LidarPauses, TheSensorIsFoundAgain) {
+  for (const unsigned seed : {11u, 12u}) {
+    const testing::Scene street = synthetic::street(seed);
+    const synthetic::Motion motion = [&](double time_s) { return street.world_from_camera * place_at(time_s); };
+    LidarOptions options = one_thread();
+    options.search = GetParam().rotation != 0.0;
+    LidarOdometry odometry(options);
+    for (int k = 0; k < kNumBefore + kNumAfter; ++k) {
+      const double stamp_s = k * kSweep_s + (k < kNumBefore ? 0.0 : GetParam().gap_s);
+      const double begin_s = GetParam().is_clock_alone ? k * kSweep_s : stamp_s;
+      const synthetic::Sweep sweep =
+          synthetic::scan({street, {}}, small_lidar(), motion, static_cast<unsigned>(k + 1), begin_s);
+      const FrameReport report = odometry.add(stamp_s, sweep.cloud, shares_from_times(sweep.times_s));
+      const Rigid3 true_one = inverse(place_at(0.5 * kSweep_s)) * place_at(begin_s + 0.5 * kSweep_s);
+      const bool is_first = k == kNumBefore;
+      if (k > 0 && !is_first) {
+        EXPECT_EQ(report.status, FrameStatus::Tracked) << "seed " << seed << " sweep " << k;
+      }
+      EXPECT_TRUE(has_pose(report.status));
+      EXPECT_THAT(report.world_from_camera, NearPose(true_one, 0.006, is_first ? 0.12 : 0.05))
+          << "seed " << seed << " sweep " << k;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, LidarPauses,
+                         ::testing::Values(Pause{"DrivesOn", 1.0, driving}, Pause{"StopsForASecond", 1.0, stopping},
+                                           Pause{"StopsForAMinute", 60.0, stopping},
+                                           Pause{"StartsAgain", 10.0, starting_again},
+                                           Pause{"Rotates", 10.0, stopping, 1.0},
+                                           Pause{"TheClockJumps", 60.0, driving, 0.0, true}),
+                         [](const auto& tested) { return tested.param.name; });
+
+// The sensor is moved by hand while other scans arrive: only a search finds it. Lost scans in a row are searched for at
+// the first, second, fourth and eighth, so that a long loss costs four searches.
+TEST(LidarSearches, OfLostScansInARowFewerAndFewerAreSearchedFor) {
+  const testing::Scene street = synthetic::street(5), elsewhere = synthetic::open_field();
+  const Rigid3 moved = street.world_from_camera * Rigid3{rotation_exp({0.0, 0.0, 1.2}), {0.5, 0.3, 0.0}};
+  LidarOdometry odometry(one_thread());
+  int k = 0;
+  const auto added = [&](const testing::Scene& scene, const Rigid3& place) {
+    const Cloud scan = synthetic::scan(scene, small_lidar(), place, static_cast<unsigned>(k + 1));
+    return odometry.add(kSweep_s * k++, scan).status;
+  };
+  for (int i = 0; i < 3; ++i) added(street, street.world_from_camera);
+  const auto is_astray = ::testing::AnyOf(FrameStatus::Lost, FrameStatus::Doubtful);
+  for (int i = 0; i < 2; ++i) ASSERT_THAT(added(elsewhere, elsewhere.world_from_camera), is_astray);
+  EXPECT_THAT(added(street, moved), is_astray);
+  EXPECT_EQ(added(street, moved), FrameStatus::Tracked);
+}
+
+}  // namespace
+}  // namespace augicp
