@@ -12,6 +12,9 @@ XYZ = {
     "cloudcompare": b"//X Y Z Structure Normal_X Normal_Y Normal_Z\n1 2 3 1 0 0 2\n4 5 6 2 1 0 0\n7 8 9 0 0 0 0\n",
     "carriage-returns": b"1 2 3\r4 5 6\r",
     "bom-far": b"\xef\xbb\xbf500000.125 4000000.5 100\n500001 4000001 101\n500002 4000002 102",
+    "matlab": b"% X Y Z R G B\n1 2 3 9 9 9\n4 5 6 9 9 9\n",
+    "separator-line": b"sep=;\r\nx;y;z\r\n1;2;3\r\n// the end\r\n4;5;6\r\n",
+    "paraview": b'"Points:0","Points:1","Points:2","Normals:0"\n1,2,3,4\n5,6,7,8\n',
     "huge": b"1e18 0 0\n1 1 1\n1e-320 1e308 -inf\n",
 }
 
@@ -30,6 +33,9 @@ TRAJECTORY = {
 POSES = {
     "tum": TRAJECTORY["tum"],
     "kitti": b"1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 2 0 0 1 3\n",
+    "four-rows": b"1 0 0 5 0 1 0 6 0 0 1 7 0 0 0 1\n1 0 0 1 0 1 0 2 0 0 1 3 0 0 0 1\n",
+    "nanoseconds": b"% a run\n1403636579763555584 1 2 3 0 0 0 1\n1403636579768555584 1 2 4 0 0 0 1\n",
+    "two-columns": b"sec,nanosec,x,y,z,qx,qy,qz,qw\n12,250000000,1,2,3,0,0,0,1\n",
     "stamped-rows": b"0.1 1 0 0 0 0 1 0 0 0 0 1 0\n0.2 1 0 0 1 0 1 0 2 0 0 1 3\n",
     "euroc": b"#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z [], v_RS_R_x [m s^-1]\n"
              b"1403636579763555584,4.6,-1.7,0.7,1,0,0,0,-0.02\n1403636579768555584,4.6,-1.7,0.7,0,1,0,0,-0.02\n",
@@ -47,6 +53,7 @@ TRANSFORM = {
     "rows-commas": b"0,-1,0,1\n1,0,0,2\n0,0,1,3\n",
     "quaternion": b"0.1 0.2 0.3 0 0 0.6 0.8\n",
     "json": b'{"T_target_source": [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, -2], [0, 0, 0, 1]], "status": "converged"}',
+    "brackets": b"[[1. 0. 0. 2.]\n [0. 1. 0. 3.]\n [0. 0. 1. 4.]\n [0. 0. 0. 1.]]\n",
     "json-flat": b'\xef\xbb\xbf {"T_target_source": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]}',
     "reflection": b"1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1\n",
 }
@@ -61,6 +68,12 @@ CAMERA = {
     "wide": b'{"width": 1e99, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]}',
     "whole-numbers": b"525 525 320 240",
     "columns": b'{"intrinsic_matrix": [[500, 0, 0], [0, 500, 0], [320, 240, 1]]}',
+    "view": b'{"extrinsic": [1], "intrinsic": {"width": 640, "height": 480, "intrinsic_matrix": [500, 0, 0, 0, 500, 0, 320, 240, 1]}}',
+    "kalibr": b"cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.1, 0, 0, 0]\n  distortion_model: radtan\n"
+              b"  intrinsics: [500.0, 501.0, 320, 240]\n  resolution: [640, 480]\n",
+    "orb-slam": b"%YAML:1.0\nCamera.type: \"PinHole\"\nCamera.fx: 500.0 # pixels\nCamera.fy: 501\nCamera.cx: 320\nCamera.cy: 240\nCamera.k1: 0.1\n",
+    "items": b"height: 480\nwidth: 640\nd:\n- 0.1\n- 0\n- 0\n- 0\n- 0\nk:\n- 500.0\n- 0\n- 320\n- 0\n- 501\n- 240\n- 0\n- 0\n- 1\n",
+    "labels": b"fx = 500\nfy = 501\ncx=320\ncy=240\n",
 }
 
 CAMERA.update({

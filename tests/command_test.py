@@ -286,6 +286,11 @@ class CommandTest(unittest.TestCase):
         self.assertEqual(info["num_declared"], 640 * 480)
         self.assertEqual(info["num_points"] + info["num_invalid"], 640 * 480)
         (self.folder / "nan.xyz").write_text("0 0 0\nnan 1 1\n1 2 3\n")
+        (self.folder / "columns.csv").write_text("x,y,z,r,g,b,time\n1,2,3,255,0,7,0.5\n")
+        info = json.loads(run("info", self.folder / "columns.csv", "--json", "-").stdout)
+        self.assertEqual([(column["name"], column["type"]) for column in info["columns"]],
+                         [("red", "uint8"), ("green", "uint8"), ("blue", "uint8"), ("time", "float64")])
+        self.assertIn("red uint8, green uint8", run("info", self.folder / "columns.csv").stdout)
         info = json.loads(run("info", self.folder / "nan.xyz", "--json", "-").stdout)
         self.assertEqual((info["num_points"], info["num_invalid"], info["max"]), (2, 1, [1.0, 2.0, 3.0]))
 

@@ -274,6 +274,7 @@ class EvaluateTest(unittest.TestCase):
         (self.folder / "seven.txt").write_text("1 2 3 4 0 0 1\n")
         (self.folder / "text.txt").write_text("# poses\n1 2 3 4 0 0 0 1\n2 x 3 4 0 0 0 1\n")
         (self.folder / "ms.txt").write_text("1305031452879 2 3 4 0 0 0 1\n")
+        (self.folder / "names.csv").write_text("timestamp,x,y,z,roll,pitch,yaw\n1,2,3,4,0,0,0\n")
         cases = (
             (2, (truth,), "groundtruth"), (2, (truth, truth, "--delta", -1), "delta"), (2, (truth, truth, "--delta", 1.5), "frames"),
             (2, (truth, truth, "--unit", "feet"), "feet"), (2, (truth, truth, "--max-difference", -1), "max_difference_s"),
@@ -281,7 +282,8 @@ class EvaluateTest(unittest.TestCase):
             (3, (self.folder / "none.txt", truth), "none.txt: no such file"), (3, (truth, self.folder), "found a directory"),
             (3, (self.folder / "seven.txt", truth), "seven.txt: line 1: expected 8 values"),
             (3, (truth, self.folder / "text.txt"), "text.txt: line 3: expected a number, found 'x'"),
-            (3, (self.folder / "ms.txt", truth), "ms.txt: line 1: expected a timestamp in seconds, found 1305031452879: milliseconds?"),
+            (3, (self.folder / "ms.txt", truth), "ms.txt: the stamps are read as milliseconds"),
+            (3, (self.folder / "names.csv", truth), "names.csv: expected numbers, or columns with the names timestamp tx"),
             (3, (zero, truth), "no common timestamps within 0.020000 s: the estimate spans 0.000000 .. 0.059000 s, "
                                "the truth spans 100.000000 .. 101.966667 s; are both in seconds"),
             (3, (zero_ms, zero), "the stamps of the estimate are milliseconds, it seems"),

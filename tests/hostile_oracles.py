@@ -277,7 +277,7 @@ def is_number(word, mark=None):
 
 
 def names_of(line):
-    line = re.sub("^#", "", re.sub("^//", "", line.strip(" \t")))
+    line = re.sub("^(//|#|%)", "", line.strip(" \t"))
     return [word[1:-1] if len(word) > 1 and word[0] == word[-1] == '"' else word for word in fields(line)]
 
 
@@ -294,9 +294,12 @@ def axes_of_comment(comments, first_point):
 
 def xyz(data):
     lines = not_blank(split_lines(text_of(without_bom(data))))
-    is_comment = [line.strip(" \t").startswith("#") for line in lines]
+    is_comment = [line.strip(" \t").startswith(("#", "%", "//")) for line in lines]
     found = [line for line, skip in zip(lines, is_comment) if not skip]
     require(found)
+    if re.fullmatch("sep=.?", found[0], re.I):
+        found = found[1:]
+        require(found)
     before = lines[:is_comment.index(False)]
     axes, declared = None, None
     if not is_number((fields(found[0]) + [""])[0], separator(found[0])):

@@ -94,9 +94,13 @@ def grey_png(data):
     return Holds(len(pixels), [(p[0] if channels == 1 else 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2]) / 255.0 for p in pixels])
 
 
-def rows_of_numbers(data):
+def rows_of_numbers(data, has_brackets=False):
     """Of each line that is more than a comment."""
     contents = [line.split("#")[0] for line in split_lines(text_of(without_bom(data)))]
+    if not has_brackets:  # of poses
+        contents = ["" if content.strip(" \t").startswith(("%", "//")) else content for content in contents]
+    if has_brackets:
+        contents = [re.sub(r"[\[\]]", " ", content) for content in contents]
     return [[number(word) for word in fields(line)] for line in not_blank(contents)]
 
 
@@ -117,9 +121,14 @@ def poses(data):
         raise Unknown
     if any("q" in line.partition("#")[2] for line in split_lines(text_of(data))):
         raise Unknown  # names in a comment
-    require(rows and len(rows[0]) in (8, 12, 13) and all(len(row) == len(rows[0]) for row in rows))
+    require(rows and len(rows[0]) in (8, 12, 13, 16, 17) and all(len(row) == len(rows[0]) for row in rows))
+    if len(rows[0]) == 8 and abs(rows[0][0]) > 1e11:
+        raise Unknown  # another unit
     if len(rows[0]) == 8:
         return trajectory(data)
+    if len(rows[0]) > 13:
+        require(all(row[-4:] == [0, 0, 0, 1] for row in rows))
+        rows = [row[:-4] for row in rows]
     if len(rows[0]) == 12:
         return Holds(len(rows), [sum(map(abs, row[3::4])) for row in rows])
     stamps = [row[0] for row in rows]
@@ -146,7 +155,7 @@ def is_json(data):
 
 
 def transform(data):
-    numbers = numbers_under(data, "T_target_source") if is_json(data) else sum(rows_of_numbers(data), [])
+    numbers = numbers_under(data, "T_target_source") if is_json(data) else sum(rows_of_numbers(data, has_brackets=True), [])
     require(len(numbers) in (7, 12, 16))
     position = numbers[:3] if len(numbers) == 7 else numbers[3:12:4]
     return Holds(1, [sum(map(abs, position))])
@@ -155,9 +164,11 @@ def transform(data):
 def json_camera(data):
     """fx, fy, cx, cy."""
     found = json.loads(without_bom(data).decode("utf-8"))
-    if "intrinsic_matrix" not in found:
+    found = found["intrinsic"] if isinstance(found.get("intrinsic"), dict) else found
+    names = [name for name in ("intrinsic_matrix", "camera_matrix", "K") if name in found]
+    if not names:
         return [float(found[key]) for key in ("fx", "fy", "ppx" if "ppx" in found else "cx", "ppy" if "ppx" in found else "cy")]
-    k = numbers_under(data, "intrinsic_matrix")
+    k = numbers_under(json.dumps(found).encode(), names[0])
     require(len(k) == 9)
     by_rows = k[6] == k[7] == 0 and (k[2] or k[5])
     return [k[0], k[4], k[2], k[5]] if by_rows else [k[0], k[4], k[6], k[7]]
@@ -166,14 +177,17 @@ def json_camera(data):
 def yaml_list(text, keys):
     """The numbers under the first of these keys, or None."""
     for key in keys:
-        behind = re.search(rf"(?:^|[\r\n])[ \t]*{key}:([^\r\n]*)(.*)", text, re.S)
+        behind = re.search(rf"(?:^|[\r\n])[ \t]*(?:Camera[^:= \t\r\n]*\.)?{key}[ \t]*[:=]([^\r\n]*)(.*)", text, re.S)
         if not behind:
             continue
         line, rest = behind[1].strip(" \t"), behind[1] + behind[2]
+        items = re.match(r"((?:\s*[\r\n][ \t]*-[^\r\n]*)+)", behind[2])
+        if line == "" and items:
+            return [number(word) for item in not_blank(split_lines(items[1])) for word in [item.strip(" \t")[1:].strip(" \t")]]
         if line == "" or line.startswith(("!!", "{")):
             rest = re.search(r"(?:^|[\r\n])[ \t]*data:(.*)", rest, re.S)[1]
         elif not line.startswith("["):
-            return [number(word) for word in line.replace(",", " ").split()]
+            return [number(word) for word in line.split("#")[0].replace(",", " ").split()]
         return [number(word) for word in re.search(r"\[([^\]]*)\]", rest, re.S)[1].replace(",", " ").split()]
     return None
 
@@ -182,12 +196,20 @@ def camera(data):
     text = text_of(data)
     if is_json(data):
         return Holds(1, [sum(map(abs, json_camera(data)))])
-    if re.search(r"(?:^|[\r\n])[ \t]*(camera_matrix|K|k):", text):
+    if yaml_list(text, ("camera_matrix", "K", "k")) is not None:
         numbers = yaml_list(text, ("camera_matrix", "K", "k"))
         require(len(numbers) == 9 and yaml_list(text, ("distortion_coefficients", "D", "d")) is not None)
+    elif yaml_list(text, ("intrinsics",)) is not None:
+        numbers = yaml_list(text, ("intrinsics",))
+        require(len(numbers) == 4)
+    elif yaml_list(text, ("fx",)) is not None:
+        numbers = [one for key in ("fx", "fy", "cx", "cy") for one in yaml_list(text, (key,))]
+        require(len(numbers) == 4)
     else:
-        numbers = sum(rows_of_numbers(data), [])
-    require(len(numbers) in (4, 9, 16))
+        numbers = sum(rows_of_numbers(data, has_brackets=True), [])
+    require(len(numbers) in (4, 9, 12, 16))
+    if len(numbers) == 12:
+        numbers += [0, 0, 0, 1]
     if len(numbers) == 16:
         numbers = [numbers[i] for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)]
     if len(numbers) == 9 and abs(numbers[1]) <= 10:

@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "augicp/core/words.h"
 
@@ -22,9 +20,15 @@ std::string choices() {
 // Takes a word, and refuses others with the words that there are.
 template <HasWords Value>
 CLI::Validator choice() {
-  std::vector<std::pair<std::string, Value>> words;
-  for (const auto& [value, word] : kWords<Value>) words.emplace_back(word, value);
-  return CLI::CheckedTransformer(words).description(choices<Value>());
+  const auto to_number = [](std::string& given) {
+    for (const auto& [value, word] : kWords<Value>) {
+      if (given != word) continue;
+      given = std::to_string(static_cast<int>(value));  // the parser knows enumerators by number
+      return std::string();
+    }
+    return "expected one of " + choices<Value>() + ", found '" + given + "'";
+  };
+  return CLI::Validator(to_number, choices<Value>());
 }
 
 }  // namespace augicp::app

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <type_traits>
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
@@ -21,6 +22,29 @@ struct InfoArguments {
   Progress progress = Progress::Auto;
 };
 
+std::string type_name(ScalarType type) {
+  const bool is_signed = with_type(type, [](auto zero) { return std::is_signed_v<decltype(zero)>; });
+  return fmt::format("{}{}", is_floating(type) ? "float" : is_signed ? "int" : "uint", 8 * num_bytes(type));
+}
+
+// What a file has of each point beside its position and direction.
+nlohmann::ordered_json columns_json(const Input& input) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+  for (const PointField& field : input.las ? fields_of(*input.las).fields : input.fields.fields)
+    columns.push_back({{"name", field.name}, {"type", type_name(field.type)}, {"count", field.count}});
+  return columns;
+}
+
+std::string columns_text(const nlohmann::ordered_json& columns) {
+  std::string text;
+  for (const auto& column : columns) {
+    const auto count = column["count"].get<std::uint64_t>();
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", column["name"].get<std::string>(),
+                        column["type"].get<std::string>(), count > 1 ? fmt::format(" x {}", count) : "");
+  }
+  return text.empty() ? "none beside positions and normals" : text;
+}
+
 nlohmann::ordered_json info_json(const std::string& file, const Input& input) {
   const Cloud& cloud = input.scan.cloud;
   const Bounds box = bounds(cloud);
@@ -33,6 +57,7 @@ nlohmann::ordered_json info_json(const std::string& file, const Input& input) {
           {"num_invalid", input.report.num_not_finite},
           {"has_normals", cloud.has_directions()},
           {"has_intensities", cloud.has_intensities()},
+          {"columns", columns_json(input)},
           {"min", {min.x(), min.y(), min.z()}},
           {"max", {max.x(), max.y(), max.z()}},
           {"origin", {cloud.origin.x(), cloud.origin.y(), cloud.origin.z()}},
@@ -66,23 +91,25 @@ std::string info_text(const nlohmann::ordered_json& info) {
   };
   const auto& lengths = info["derived_lengths"];
   return fmt::format(
-      "file     {}\nformat   {}\npoints   {} ({} declared, {} without a finite position)\nnormals  {}\n"
+      "file     {}\nformat   {}\npoints   {} ({} declared, {} without a finite position)\nnormals  {}\ncolumns  {}\n"
       "min      {}\nmax      {}\norigin   {}\n"
       "lengths  extent {:.4g} m, ball radius {:.4g} m, voxel {:.4g} m, pair gate {:.4g} m (what align derives)\n",
       info["file"].get<std::string>(), info["format"].get<std::string>(), info["num_points"].get<std::uint64_t>(),
       info["num_declared"].get<std::uint64_t>(), info["num_invalid"].get<std::uint64_t>(),
-      info["has_normals"].get<bool>() ? "yes" : "no", triple("min"), triple("max"), triple("origin"),
-      lengths["extent"].get<double>(), lengths["radius"].get<double>(), lengths["voxel_size"].get<double>(),
-      lengths["max_distance"].get<double>());
+      info["has_normals"].get<bool>() ? "yes" : "no", columns_text(info["columns"]), triple("min"), triple("max"),
+      triple("origin"), lengths["extent"].get<double>(), lengths["radius"].get<double>(),
+      lengths["voxel_size"].get<double>(), lengths["max_distance"].get<double>());
 }
 
 int run_info(const InfoArguments& arguments) {
+  InputOptions with_columns = arguments.input;
+  with_columns.read.keep_fields = true;
   require_use_of(arguments.input, {arguments.file});
   const bool is_recording = is_bag(arguments.file);
   StepLine line(arguments.progress);
   line.show("reading", "reading " + arguments.file);
   const nlohmann::ordered_json info =
-      is_recording ? bag_json(arguments.file) : info_json(arguments.file, read_input(arguments.file, arguments.input));
+      is_recording ? bag_json(arguments.file) : info_json(arguments.file, read_input(arguments.file, with_columns));
   line.hide();
   if (!arguments.json.empty()) write_json(arguments.json, info);
   if (arguments.json != "-") fmt::print("{}", is_recording ? bag_text(info) : info_text(info));

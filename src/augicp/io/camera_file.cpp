@@ -23,12 +23,23 @@ std::vector<double> upper_left(const std::vector<double>& n) {
   const bool is_identity =
       n[3] == 0.0 && n[7] == 0.0 && n[11] == 0.0 && n[12] == 0.0 && n[13] == 0.0 && n[14] == 0.0 && n[15] == 1.0;
   if (!is_identity)
-    throw std::invalid_argument("camera: expected a 4x4 matrix with the last row and column of the identity");
+    throw std::invalid_argument("camera: expected a 4x4 or 3x4 matrix with the last row and column of the identity");
   return {n[0], n[1], n[2], n[4], n[5], n[6], n[8], n[9], n[10]};
 }
 
+std::vector<double> numbers_of(std::string_view text) {
+  try {
+    return parse_number_list("camera", text, /*max_count=*/16);
+  } catch (const std::invalid_argument& fault) {
+    throw std::invalid_argument(
+        std::string(fault.what()) +
+        "; a camera is numbers, a matrix, JSON, or YAML with camera_matrix, K, intrinsics or fx fy cx cy");
+  }
+}
+
 DepthCamera from_numbers(std::string_view text) {
-  std::vector<double> n = parse_number_list("camera", text, /*max_count=*/16);
+  std::vector<double> n = numbers_of(text);
+  if (n.size() == 12) n.insert(n.end(), {0.0, 0.0, 0.0, 1.0});  // 3 x 4
   if (n.size() == 16) n = upper_left(n);
   const Pinhole pinhole = n.size() >= 4 ? Pinhole{n[0], n[1], n[2], n[3]} : Pinhole{};
   if (n.size() == 4) return {pinhole, {}};

@@ -86,6 +86,33 @@ TEST(CameraFile, OtherProgramsWriteTheSameCamera) {
                 0, 0);
 }
 
+// As kalibr, EuRoC, ORB-SLAM, ros2 topic echo, Open3D's views and people write them.
+TEST(CameraFile, FormsOfRobotsAndNotesAreRead) {
+  const char* matrix = R"("height": 480, "width": 640, "intrinsic_matrix": [585,0,0, 0,586.5,0, 320,240.25,1])";
+  for (const std::string& text :
+       {std::string("cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.1, 0, 0, 0]\n  distortion_model: radtan\n"
+                    "  intrinsics: [585.0, 586.5, 320, 240.25]\n  resolution: [640, 480]\n"),
+        std::string(
+            "sensor_type: camera\nresolution: [640, 480]\nintrinsics: [585, 586.5, 320, 240.25] #fu, fv, cu, cv\n"
+            "distortion_model: radial-tangential\ndistortion_coefficients: [0.1, 0, 0, 0]\n"),
+        std::string("%YAML:1.0\nCamera.type: \"PinHole\"\nCamera.fx: 585 # pixels\nCamera.fy: 586.5\nCamera.cx: 320\n"
+                    "Camera.cy: 240.25\nCamera.k1: 0.1\nCamera.width: 640\nCamera.height: 480\n"),
+        std::string(
+            "height: 480\nwidth: 640\ndistortion_model: plumb_bob\nd:\n- 0.1\n- 0\n- 0\n- 0\n- 0\nk:\n- 585.0\n- 0\n"
+            "- 320\n- 0\n- 586.5\n- 240.25\n- 0\n- 0\n- 1\nr:\n- 1\n")}) {
+    expect_camera(parse_camera({"", text}), 640, 480);
+    EXPECT_EQ(parse_camera({"", text}).distortion.k1, 0.1) << text;
+  }
+  expect_camera(parse_camera({"", std::string(R"({"extrinsic": [1], "intrinsic": {)") + matrix + "}}"}), 640, 480);
+  for (const char* text :
+       {"fx: 585\nfy: 586.5\ncx: 320\ncy: 240.25\n", "fx=585\nfy = 586.5\ncx=320\ncy=240.25\n",
+        R"({"K": [[585,0,320], [0,586.5,240.25], [0,0,1]]})",
+        R"({"camera_matrix": [585,0,320, 0,586.5,240.25, 0,0,1]})",
+        "[[585.   0.   320.  ]\n [  0.  586.5 240.25]\n [  0.    0.    1.  ]]\n",
+        "[[585, 0, 320],\n [0, 586.5, 240.25],\n [0, 0, 1]]\n", "585 0 320 0\n0 586.5 240.25 0\n0 0 1 0\n"})
+    expect_camera(parse_camera({"", text}), 0, 0);
+}
+
 TEST(CameraFile, NamesBringTheirDepthScale) {
   for (const std::string& name : camera_names()) EXPECT_TRUE(depth_scale_of_camera(name)) << name;
   EXPECT_EQ(depth_scale_of_camera("tum-fr1"), 5000.0);
@@ -123,6 +150,14 @@ TEST(CameraFile, WhatIsNoCameraIsRefused) {
       {R"({"fx": 1, "fy": 1, "ppx": 1})", "\"ppy\""},
       {R"({"fx": 500, "fy": 500, "ppx": 1, "ppy": 1, "model": "Inverse Brown Conrady", "coeffs": [0.1,0,0,0,0]})",
        "inverse"},
+      {"cam0:\n  intrinsics: [1, 1, 1, 1]\ncam1:\n  intrinsics: [1, 1, 1, 1]\n", "expected one camera"},
+      {"intrinsics: [585, 586.5, 320]\n", "fx fy cx cy"},
+      {"camera_model: omni\nintrinsics: [585, 586.5, 320, 240]\n", "expected the camera_model pinhole, found 'omni'"},
+      {"Camera.type: \"KannalaBrandt8\"\nCamera.fx: 585\n", "expected the type PinHole"},
+      {"fx: 585\nfy: 585\ncx: 320\n", "expected \"cy\" with one number"},
+      {"intrinsics: [585, 586.5, 320, 240]\nresolution: [640]\n", "a width and a height"},
+      {"k:\n- 585\n- 1 2\n", "expected '- number'"},
+      {"585 0 320 1\n0 586.5 240.25 0\n0 0 1 0\n", "3x4 matrix with the last row"},
       {"{", "JSON is damaged"},
       {"{}", "expected \"intrinsic_matrix\""},
       {R"({"intrinsic_matrix": [1, 2]})", "expected \"intrinsic_matrix\""},

@@ -36,8 +36,9 @@ struct PointColumns {
 
 // Finds columns by their names, in either case: x y z, nx ny nz or normal_x normal_y normal_z, structure, intensity or
 // scalar_intensity; beside a structure tangent_x tangent_y tangent_z. The first intensity column counts. Normals and
-// tangents count only if all three are present. Throws IoError for a missing coordinate, and for a name that occurs
-// twice.
+// tangents count only if all three are present. Without any of x y z, the names of ParaView, VeloView and surveys
+// (easting northing elevation) are the coordinates. A unit of metres behind a name is no part of it: "X (m)". Throws
+// IoError for a missing coordinate, with the names that there are, and for a name that occurs twice.
 PointColumns find_columns(const std::filesystem::path& path, std::span<const std::string> names);
 
 // Properties of all points that a file states.

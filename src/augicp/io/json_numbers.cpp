@@ -7,11 +7,25 @@
 #include "augicp/io/format.h"
 
 namespace augicp {
+namespace {
 
-std::optional<std::vector<double>> json_numbers(std::string_view what, std::string_view text, const std::string& key) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+nlohmann::json object_in(std::string_view what, std::string_view text) {
+  nlohmann::json json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   const bool has_zero = text.find('\0') != std::string_view::npos;  // the parser would take it for the end
   if (has_zero || !json.is_object()) throw std::invalid_argument(fmt::format("{}: the JSON is damaged", what));
+  return json;
+}
+
+}  // namespace
+
+std::optional<std::string> json_object(std::string_view what, std::string_view text, const std::string& key) {
+  const nlohmann::json json = object_in(what, text);
+  const auto value = json.find(key);
+  return value != json.end() && value->is_object() ? std::optional(value->dump()) : std::nullopt;
+}
+
+std::optional<std::vector<double>> json_numbers(std::string_view what, std::string_view text, const std::string& key) {
+  const nlohmann::json json = object_in(what, text);
   const auto value = json.find(key);
   if (value == json.end()) return std::nullopt;
 

@@ -13,4 +13,7 @@ namespace augicp {
 // text is no JSON object or the key has any other value.
 std::optional<std::vector<double>> json_numbers(std::string_view what, std::string_view text, const std::string& key);
 
+// The text of the JSON object under a key; empty if there is none. Throws as above if text is no JSON object.
+std::optional<std::string> json_object(std::string_view what, std::string_view text, const std::string& key);
+
 }  // namespace augicp

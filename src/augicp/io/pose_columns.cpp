@@ -51,6 +51,24 @@ bool is_stamp(const Words& words) {
 
 bool is_part_of_a_second(const Words& words) { return has_any(words, {"nsec", "nsecs", "nanosec", "nanosecs"}); }
 
+bool is_whole_seconds(const Words& words) {
+  return !words.empty() && (words.back() == "sec" || words.back() == "secs");
+}
+
+// Of stamps in two columns: sets both, and whether there are both.
+bool takes_two(std::span<const std::string> names, PoseColumns& columns) {
+  std::optional<std::size_t> seconds;
+  for (std::size_t column = 0; column < names.size(); ++column) {
+    const Words words = words_of(names[column]);
+    if (!seconds && is_whole_seconds(words)) seconds = column;
+    if (!columns.nanoseconds && is_part_of_a_second(words)) columns.nanoseconds = column;
+  }
+  if (!seconds || !columns.nanoseconds) return false;
+  columns.of_value[0] = *seconds;
+  columns.stamps_per_s = 1.0;
+  return true;
+}
+
 bool is_quaternion(const Words& words) {
   const std::string& last = words.back();
   const bool is_short = words.size() == 1 && last.size() == 2 && last[0] == 'q';
@@ -79,21 +97,23 @@ double stamps_per_s(const Words& words) {
 bool PoseColumns::are_tum(std::size_t num_columns) const {
   for (std::size_t i = 0; i < of_value.size(); ++i)
     if (of_value[i] != i) return false;
-  return num_columns == of_value.size() && stamps_per_s <= 1.0;
+  return num_columns == of_value.size() && stamps_per_s <= 1.0 && !nanoseconds;
 }
 
 std::optional<PoseColumns> find_pose_columns(std::span<const std::string> names) {
   std::array<std::optional<std::size_t>, 8> found;
   PoseColumns columns;
+  const bool has_two = takes_two(names, columns);
+  if (has_two) found[0] = columns.of_value[0];
+  if (columns.nanoseconds && !has_two) return std::nullopt;
   const auto take = [&](std::size_t value, std::size_t column) {
     if (!found[value]) found[value] = column;
   };
   for (std::size_t column = 0; column < names.size(); ++column) {
     const Words all = words_of(names[column]);
     if (all.empty()) continue;
-    if (is_part_of_a_second(all)) return std::nullopt;
     const Words words = without_unit(all);
-    if (is_stamp(words)) {
+    if (is_stamp(words) || is_part_of_a_second(all)) {
       if (!found[0]) columns.stamps_per_s = stamps_per_s(all);
       take(0, column);
     } else if (const auto axis = axis_of(words, "xyzw"); axis && is_quaternion(words)) {

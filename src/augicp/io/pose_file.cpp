@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/pose_file.h"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "augicp/io/format.h"
 #include "augicp/io/number_list.h"
+#include "augicp/io/parse_number.h"
 #include "augicp/io/pose_table.h"
 #include "augicp/io/text_lines.h"
 #include "augicp/io/text_points.h"
@@ -15,23 +16,35 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kNumRows = 12;  // values of the first three rows
+constexpr std::size_t kThreeRows = 12, kFourRows = 16;  // values of a pose
+constexpr std::size_t kTumValues = 8;
 
-std::string_view content_of(std::string_view line) { return trimmed(line.substr(0, line.find('#'))); }
-
-std::size_t num_values_of_first_line(const FileBytes& file) {
-  TextLines lines(without_bom(file.bytes));
-  while (const auto line = lines.next())
-    if (const std::string_view content = content_of(*line); !content.empty())
-      return num_fields(content, separator_of(content));
-  return 0;
+// Without comments.
+std::string_view content_of(std::string_view line) {
+  return is_comment(line) ? std::string_view{} : trimmed(line.substr(0, line.find('#')));
 }
 
+std::vector<std::string_view> first_values(const FileBytes& file) {
+  std::vector<std::string_view> values;
+  TextLines lines(without_bom(file.bytes));
+  for (auto line = lines.next(); line && values.empty(); line = lines.next()) {
+    std::string_view content = content_of(*line);
+    const char separator = separator_of(content);
+    while (const auto value = next_field(content, separator)) values.push_back(*value);
+  }
+  return values;
+}
+
+// The number of values that are the pose, if that many are in a line: the others are a stamp.
+std::size_t num_pose_values(std::size_t num_values) { return num_values >= kFourRows ? kFourRows : kThreeRows; }
+
 StampedPose pose_of(const std::vector<double>& values, std::size_t place) {
-  const std::size_t num_before = values.size() - kNumRows;
+  const std::size_t num_pose = num_pose_values(values.size()), num_before = values.size() - num_pose;
   Mat4d matrix = Mat4d::Identity();
-  for (std::size_t i = 0; i < kNumRows; ++i)
+  for (std::size_t i = 0; i < num_pose; ++i)
     matrix(static_cast<int>(i / 4), static_cast<int>(i % 4)) = values[num_before + i];
+  if (matrix.row(3) != Mat4d::Identity().row(3))
+    throw std::invalid_argument("expected the last row 0 0 0 1 of a 4x4 matrix");
   return {num_before == 0 ? static_cast<double>(place) : values[0], rigid3_from_matrix(matrix)};
 }
 
@@ -51,7 +64,7 @@ StampedPose pose_in(std::string_view content, std::size_t num_values, const Traj
 
 PoseFile parse_rows(const FileBytes& file, std::size_t num_values) {
   PoseFile read;
-  read.has_stamps = num_values > kNumRows;
+  read.has_stamps = num_values > num_pose_values(num_values);
   Trajectory& trajectory = read.content.trajectory;
   TextLines lines(without_bom(file.bytes));
   while (const auto line = lines.next()) {
@@ -67,6 +80,15 @@ PoseFile parse_rows(const FileBytes& file, std::size_t num_values) {
   return read;
 }
 
+const std::vector<std::string> kTumNames{"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+
+[[noreturn]] void refuse_words(const FileBytes& file, std::string_view word) {
+  const bool is_list = word.starts_with('[');
+  throw io_error(file.path, fmt::format("expected numbers, or columns with the names {} or alike; found {}{}",
+                                        fmt::join(kTumNames, " "), in_quotes(word),
+                                        is_list ? "; of JSON one object a line: jq -c '.[]' IN > OUT" : ""));
+}
+
 }  // namespace
 
 PoseFile parse_poses(const FileBytes& file) {
@@ -77,8 +99,12 @@ PoseFile parse_poses(const FileBytes& file) {
     const bool is_tum = header.is_comment && find_pose_columns(header.names)->are_tum(header.names.size());
     if (!is_tum) return {parse_pose_table(file, header.names), true};
   }
-  const std::size_t num_values = num_values_of_first_line(file);
-  if (num_values == kNumRows || num_values == kNumRows + 1) return parse_rows(file, num_values);
+  const std::vector<std::string_view> first = first_values(file);
+  for (const std::size_t num_pose : {kThreeRows, kFourRows})
+    if (first.size() == num_pose || first.size() == num_pose + 1) return parse_rows(file, first.size());
+  const auto number = first.empty() ? std::optional(0.0) : parse_double(first.front());
+  if (!number) refuse_words(file, first.front());
+  if (first.size() == kTumValues && std::abs(*number) > kMaxStamp_s) return {parse_pose_table(file, kTumNames), true};
   return {parse_tum_trajectory(file), true};
 }
 

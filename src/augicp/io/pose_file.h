@@ -13,12 +13,15 @@ namespace augicp {
 //    8  timestamp tx ty tz qx qy qz qw (TUM), see trajectory_file.h
 //   12  the first three rows of a pose, row by row (KITTI)
 //   13  a timestamp in seconds, then these twelve
+//   16, 17  the same with all four rows
+// A file of TUM's form whose stamps are too large for seconds is read in the unit that their magnitude suggests, with a
+// warning, as tables are.
 struct PoseFile {
   TrajectoryFile content;
-  bool has_stamps = true;  // false: 12 values a line; each stamp is then the number of its pose, from 0
+  bool has_stamps = true;  // false: 12 or 16 values a line; each stamp is then the number of its pose, from 0
 };
 
-// Values are separated by blanks or commas; '#' starts a comment. Throws IoError naming the line whose values are not
+// Values are separated by blanks or commas; '#' starts a comment, '%' and '//' a line of one. Throws IoError naming the line whose values are not
 // finite or not as many as in the first, whose pose is not rigid (see rigid3_from_matrix), or whose stamp is not above
 // the one before; also if there is no pose.
 PoseFile parse_poses(const FileBytes& file);

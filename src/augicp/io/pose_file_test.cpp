@@ -40,6 +40,32 @@ TEST(Poses, AThirteenthValueInFrontIsTheStamp) {
   EXPECT_EQ(read.content.trajectory[1].stamp_s, 0.75);
 }
 
+TEST(Poses, AllFourRowsAreReadToo) {
+  const PoseFile plain = parse(kRows + " 0 0 0 1\n"), timed = parse("0.5 " + kRows + " 0 0 0 1\n");
+  EXPECT_FALSE(plain.has_stamps);
+  EXPECT_TRUE(timed.has_stamps);
+  EXPECT_EQ(timed.content.trajectory[0].stamp_s, 0.5);
+  for (const PoseFile& read : {plain, timed})
+    EXPECT_EQ(read.content.trajectory[0].world_from_camera.translation, Vec3d(1.0, 2.0, 3.0));
+  EXPECT_THAT(fault_of(kRows + " 0 0 1 1\n"), HasSubstr("line 1: expected the last row 0 0 0 1"));
+}
+
+// As of tables with names.
+TEST(Poses, StampsTooLargeForSecondsAreReadByMagnitude) {
+  const PoseFile read = parse("# my run\n1403636579763000000 1 2 3 0 0 0 1\n1403636579768000000 1 2 3 0 0 0 1\n");
+  EXPECT_NEAR(read.content.trajectory[1].stamp_s, 1403636579.768, 1e-6);
+  EXPECT_THAT(read.content.warnings, ::testing::ElementsAre("the stamps are read as nanoseconds"));
+}
+
+TEST(Poses, WordsThatNameNoPoseAreShown) {
+  EXPECT_THAT(fault_of("timestamp,x,y,z\n1,2,3,4\n"), HasSubstr("columns with the names timestamp tx"));
+  EXPECT_THAT(fault_of("[{\"t\": 1}]\n"), HasSubstr("one object a line"));
+}
+
+TEST(Poses, LinesOfCommentsHaveSeveralMarks) {
+  EXPECT_EQ(parse("% made by\n// a program\n# of ours\n0.5 1 2 3 0 0 0 1\n").content.trajectory.size(), 1u);
+}
+
 TEST(Poses, TumTrajectoriesAreRead) {
   const PoseFile read = parse("0.5 1 2 3 0 0 0 1\n");
   EXPECT_TRUE(read.has_stamps);

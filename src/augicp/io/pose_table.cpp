@@ -26,6 +26,15 @@ struct Row {
   std::uint64_t line = 0;
 };
 
+// number_at(column) is the number in a column.
+template <typename NumberAt>
+PoseNumbers picked(const PoseColumns& columns, const NumberAt& number_at) {
+  PoseNumbers numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = number_at(columns.of_value[i]);
+  if (columns.nanoseconds) numbers[0] += 1e-9 * number_at(*columns.nanoseconds);
+  return numbers;
+}
+
 TrajectoryFile trajectory_of(const FileBytes& file, const std::vector<Row>& rows, double stamps_per_s) {
   if (rows.empty()) throw io_error(file.path, "expected poses, found none");
   double largest = 0.0;
@@ -67,9 +76,7 @@ PoseNumbers numbers_of(std::string_view line, const PoseColumns& columns, std::s
   const std::vector<std::string> fields = fields_of_line(line);
   if (fields.size() != num_columns)
     throw Fault(fmt::format("expected {} values as in the header, found {}", num_columns, fields.size()));
-  PoseNumbers numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = finite_number(fields[columns.of_value[i]]);
-  return numbers;
+  return picked(columns, [&](std::size_t column) { return finite_number(fields[column]); });
 }
 
 // ---- JSON
@@ -122,13 +129,13 @@ PoseHeader pose_header(const FileBytes& file) {
   PoseHeader found;
   while (const auto line = lines.next_not_blank()) {
     std::string_view content = trimmed(*line);
-    const bool is_comment = content.starts_with('#') || content.starts_with('%');
-    if (is_comment) content.remove_prefix(1);
+    const bool is_remark = is_comment(content);
+    if (is_remark) content.remove_prefix(content.starts_with('/') ? 2 : 1);
     std::vector<std::string> names = fields_of_line(content);
-    if (!is_comment && (names.empty() || parse_double(names.front()))) return found;
+    if (!is_remark && (names.empty() || parse_double(names.front()))) return found;
     const bool names_a_pose = find_pose_columns(names).has_value();
-    if (names_a_pose) found = {std::move(names), is_comment};
-    if (!is_comment) return found;
+    if (names_a_pose) found = {std::move(names), is_remark};
+    if (!is_remark) return found;
   }
   return found;
 }
@@ -140,7 +147,7 @@ TrajectoryFile parse_pose_table(const FileBytes& file, const std::vector<std::st
   TextLines lines(without_bom(file.bytes));
   while (const auto line = lines.next_not_blank()) {
     const std::string_view content = trimmed(*line);
-    if (content.starts_with('#') || content.starts_with('%')) continue;
+    if (is_comment(content)) continue;
     if (std::exchange(is_first, false) && fields_of_line(content) == names) continue;  // the header
     try {
       rows.push_back({numbers_of(content, columns, names.size()), lines.line()});
@@ -160,9 +167,7 @@ TrajectoryFile parse_pose_objects(const FileBytes& file) {
       const PoseColumns columns = columns_in(members);
       if (!rows.empty() && columns.stamps_per_s != stamps_per_s) throw Fault("expected the names of the first line");
       stamps_per_s = columns.stamps_per_s;
-      Row row{{}, lines.line()};
-      for (std::size_t i = 0; i < row.numbers.size(); ++i) row.numbers[i] = members[columns.of_value[i]].second;
-      rows.push_back(row);
+      rows.push_back({picked(columns, [&](std::size_t column) { return members[column].second; }), lines.line()});
     } catch (const Fault& fault) {
       throw io_error_at_line(file.path, lines.line(), fault.what());
     }

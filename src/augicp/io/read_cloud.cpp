@@ -24,24 +24,33 @@ struct Format {
   CloudFile (*parse)(const FileBytes&, const ReadOptions&);
 };
 
-constexpr Format kFormats[] = {{".ply", parse_ply}, {".pcd", parse_pcd}, {".xyz", parse_xyz},   {".txt", parse_xyz},
-                               {".csv", parse_xyz}, {".pts", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy},
-                               {".las", parse_las}, {".laz", parse_las}, {".stl", parse_stl},   {".obj", parse_obj}};
+constexpr Format kFormats[] = {
+    {".ply", parse_ply},    {".pcd", parse_pcd},   {".las", parse_las}, {".laz", parse_las}, {".xyz", parse_xyz},
+    {".txt", parse_xyz},    {".csv", parse_xyz},   {".pts", parse_xyz}, {".asc", parse_xyz}, {".xyzn", parse_xyz},
+    {".xyzrgb", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy}, {".stl", parse_stl}, {".obj", parse_obj}};
 
 struct Advice {
-  std::string_view extension, advice;
+  std::string_view extensions, advice;  // the extensions with a blank behind each
 };
 
 // Formats that people have, and how to make one that is read.
-constexpr Advice kAdvice[] = {{".e57", "pdal translate IN.e57 OUT.ply"},
-                              {".asc", "rename it to .xyz"},
-                              {".zstd", "zstd -d FILE"},
-                              {".zst", "zstd -d FILE"},
-                              {".jpg", "depth images are 16-bit .png; a .jpg has lost its depths"}};
+constexpr Advice kAdvice[] = {
+    {".e57 .ptx .copc ", "pdal translate IN OUT.ply, or CloudCompare's export"},
+    {".pcap .pcapng ", "packets of a LiDAR: its maker's program exports clouds or a bag"},
+    {".zstd .zst ", "zstd -d FILE"},
+    {".gz .tgz ", "gunzip FILE"},
+    {".zip .7z .tar ", "unpack it"},
+    {".npz .h5 .hdf5 .mat .pkl .pickle .feather .parquet .pt ",
+     "the Python module takes arrays: augicp.align(source, target)"},
+    {".off .vtk .vtp .vtu .dae .fbx .3ds .3mf .wrl .x3d .drc .usd .usdz ", "export it as .ply or .obj"},
+    {".step .stp .iges .igs .blend .ifc ", "export its surface as .stl or .ply"},
+    {".jpg .jpeg ", "depth images are 16-bit .png; a .jpg has lost its depths"}};
 
 std::string advice_for(std::string_view extension) {
+  const std::string word = std::string(extension) + ' ';
   for (const Advice& known : kAdvice)
-    if (known.extension == extension) return "; " + std::string(known.advice);
+    if (word.size() > 1 && known.extensions.find(word) != std::string_view::npos)
+      return "; " + std::string(known.advice);
   return {};
 }
 
@@ -53,8 +62,8 @@ const Format& format_of(const std::filesystem::path& path) {
     known += ' ';
     known += format.extension;
   }
-  throw io_error(path,
-                 "expected one of the extensions" + known + ", found " + in_quotes(extension) + advice_for(extension));
+  throw io_error(path, fmt::format("expected a cloud with one of the extensions{}, found {}{}", known,
+                                   extension.empty() ? "none" : in_quotes(extension), advice_for(extension)));
 }
 
 CloudFile read_message(const BagMessageName& name, const ReadOptions& options) {

@@ -2,19 +2,16 @@
 #include "augicp/io/read_xyz.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <span>
 
 #include "augicp/io/field_text.h"
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
+#include "augicp/io/text_columns.h"
 #include "augicp/io/text_points.h"
 
 namespace augicp {
 namespace {
-
-constexpr std::array<std::string_view, 3> kCoordinateNames{"x", "y", "z"};
 
 // What the lines before the first point state, and the lines after them.
 struct Layout {
@@ -25,52 +22,19 @@ struct Layout {
   std::size_t num_numbers = 0;       // in the line of the first point
 };
 
-// The name without the quotes that spreadsheets put around it.
-std::string unquoted(std::string_view name) {
-  const bool is_quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
-  return std::string(is_quoted ? name.substr(1, name.size() - 2) : name);
-}
-
-std::vector<std::string> column_names(std::string_view line) {
-  line = trimmed(line);
-  if (line.starts_with("//")) line.remove_prefix(2);  // CloudCompare's comment mark
-  if (line.starts_with('#')) line.remove_prefix(1);
-  std::vector<std::string> names;
-  const char separator = separator_of(line);
-  while (const auto name = next_field(line, separator)) names.push_back(unquoted(*name));
-  return names;
-}
-
-// Whether the names are x, y and z, each once, beside others.
-bool name_positions(std::span<const std::string> names) {
-  return std::all_of(kCoordinateNames.begin(), kCoordinateNames.end(), [&](std::string_view coordinate) {
-    return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
-             return name.size() == 1 && (name[0] | ('a' - 'A')) == coordinate[0];
-           }) == 1;
-  });
-}
-
 // The next line that is not a comment; the last comment before it that names positions stands in `comment`.
 std::string_view next_content(TextLines& lines, std::string_view* comment = nullptr) {
   while (const auto line = lines.next_not_blank()) {
-    if (!trimmed(*line).starts_with('#')) return *line;
+    if (!is_comment(*line)) return *line;
     if (comment && name_positions(column_names(*line))) *comment = *line;
   }
   return {};
 }
 
-// The columns that a comment before the first point names, as in "# r g b x y z"; empty where it names no positions, or
-// another number of columns than the point has. Throws IoError where that contradicts positions in front.
-std::vector<std::string> names_in_comment(const FileBytes& file, std::string_view comment, std::size_t num_numbers) {
-  std::vector<std::string> names = column_names(comment);
-  if (!name_positions(names)) return {};
-  if (names.size() == num_numbers) return names;
-  const PointColumns named = find_columns(file.path, names);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (named.of_role[axis] != axis)
-      throw io_error(file.path, fmt::format("the comment {} names {} columns, the first point has {} numbers",
-                                            in_quotes(comment), names.size(), num_numbers));
-  return {};
+// "sep=;", which spreadsheets write in front.
+bool is_separator_line(std::string_view line) {
+  constexpr std::string_view kMark = "sep=";
+  return line.size() <= kMark.size() + 1 && lower_case(line).starts_with(kMark);
 }
 
 // A line that states the number of points, as CloudCompare and .pts files have it.
@@ -102,6 +66,10 @@ Layout layout_of(const FileBytes& file) {
   layout.points.may_have_decimal_commas = true;
   TextLines lines = layout.lines;
   std::string_view comment, line = next_content(lines, &comment);
+  if (is_separator_line(line)) {
+    layout.lines = lines;
+    line = next_content(lines, &comment);
+  }
   const auto take_line = [&] {
     layout.lines = lines;
     line = next_content(lines);
@@ -118,7 +86,8 @@ Layout layout_of(const FileBytes& file) {
   }
   layout.points.separator = separator_of(line);
   layout.num_numbers = num_fields(line, layout.points.separator);
-  if (!has_header) layout.names = names_in_comment(file, comment, layout.num_numbers);
+  if (!has_header) layout.names = names_in_comment(file.path, comment, layout.num_numbers);
+  if (layout.names.empty()) layout.names = usual_names(file.path, layout.num_numbers, layout.declared.has_value());
   layout.points.columns = columns_of(file, layout.names, has_header);
   return layout;
 }
@@ -158,12 +127,13 @@ CloudFile parse_xyz(const FileBytes& file, const ReadOptions& options) {
                    std::nullopt, layout.points.columns.has_intensities()};
   if (options.keep_fields) add_fields(layout, table);
   TextLines behind = layout.lines;
-  bool has_commas = false;
+  TextNotes notes;
   CloudFile read = build_cloud(file, table, [&](CloudBuilder& builder) {
     behind = layout.lines;
-    has_commas = add_points(file, layout.points, behind, 0, builder);
+    notes = add_points(file, layout.points, behind, 0, builder);
   });
-  if (has_commas) read.report.warnings.push_back("commas in numbers were read as decimal points");
+  if (notes.has_decimal_commas) read.report.warnings.push_back("commas in numbers were read as decimal points");
+  if (!notes.uneven.empty()) read.report.warnings.push_back(notes.uneven);
   for (PointField& field : read.fields.fields) field = narrowed(std::move(field));
   if (!next_content(behind).empty()) read.report.warnings.push_back("lines after the declared points were not read");
   if (!ends_with_a_line_end(file.bytes)) read.report.warnings.push_back(kNoLineEndWarning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/read_xyz.h"
 
+#include "augicp/io/read_cloud.h"
 #include "augicp/io/reader_testing.h"
 
 namespace augicp {
@@ -129,6 +130,73 @@ TEST(ReadXyz, LinesThatAreNoPointAreErrors) {
 
 // robustness 15
 TEST(ReadXyz, FarCoordinatesLoseNothing) { testing::expect_far_coordinates_survive("a.xyz", testing::rows_of_three); }
+
+// MATLAB's comments, C++'s, spreadsheets' line of the separator.
+TEST(ReadXyz, CommentsAndTheLineOfTheSeparatorAreNoPoints) {
+  for (const char* bytes : {"% x y z\n1 2 3\n", "// made by a scanner\n1 2 3\n// end\n", "sep=;\nx;y;z\n1;2;3\n",
+                            "sep=\t\n1 2 3\n", "SEP=,\r\n1,2,3\r\n"}) {
+    const CloudFile read = parse_cloud({"a.csv", bytes}, {});
+    EXPECT_EQ(first_position(read), Vec3d(1, 2, 3)) << bytes;
+    EXPECT_EQ(read.cloud.size(), 1u) << bytes;
+    EXPECT_TRUE(read.report.warnings.empty()) << bytes;
+  }
+}
+
+// ParaView, VeloView, surveys, spreadsheets.
+TEST(ReadXyz, CoordinatesUnderOtherNamesAreFound) {
+  for (const char* names : {"t,Points:0,Points:1,Points:2", "t,\"Points_0\",\"Points_1\",\"Points_2\"",
+                            "t,Points_m_XYZ:0,Points_m_XYZ:1,Points_m_XYZ:2", "t,Easting,Northing,Elevation",
+                            "t,X (m),Y (m),Z (m)", "t,x[m],y[m],z[m]"})
+    EXPECT_EQ(first_position(parse_cloud({"a.csv", std::string(names) + "\n9,1,2,3\n"}, {})), Vec3d(1, 2, 3)) << names;
+  EXPECT_EQ(first_position(parse_cloud({"a.csv", "easting,northing,elevation,x,y,z\n7,8,9,1,2,3\n"}, {})),
+            Vec3d(1, 2, 3));
+}
+
+TEST(ReadXyz, ARefusalNamesTheColumnsThatThereAre) {
+  expect_refused("a.csv", "range,azimuth,lidar y\n1,2,3\n",
+                 "expected a column 'x', found none among 'range' 'azimuth' 'lidar y'");
+}
+
+TEST(ReadXyz, ALineOfAnotherLengthIsSaidOnce) {
+  const auto warnings = [](const char* bytes) { return parse_cloud({"a.xyz", bytes}, {}).report.warnings; };
+  EXPECT_THAT(warnings("1 2 3\n1 2 3 4\n5 6 7 8\n"),
+              ::testing::ElementsAre("line 2 has 4 values, the first point has 3"));
+  EXPECT_THAT(warnings("x y z t\n1 2 3 4\n1 2 3\n"),
+              ::testing::ElementsAre("line 3 has 3 values, the first point has 4"));
+  EXPECT_THAT(warnings("1 2 3 4\n5 6 7 8\n"), ::testing::IsEmpty());
+}
+
+std::vector<std::string> names_of_fields(const char* file, const std::string& bytes) {
+  ReadOptions options;
+  options.keep_fields = true;
+  std::vector<std::string> names;
+  for (const PointField& field : parse_cloud({file, bytes}, options).fields.fields) names.push_back(field.name);
+  return names;
+}
+
+// As viewers look for them.
+TEST(ReadXyz, ColoursHaveTheNamesOfPly) {
+  const std::vector<std::string> colours{"red", "green", "blue"};
+  EXPECT_EQ(names_of_fields("a.txt", "//X Y Z R G B\n1\n1 2 3 4 5 6\n"), colours);
+  EXPECT_EQ(names_of_fields("a.txt", "# r g b x y z\n4 5 6 1 2 3\n"), colours);
+  EXPECT_EQ(names_of_fields("a.xyzrgb", "1 2 3 .4 .5 .6\n"), colours);
+  EXPECT_EQ(names_of_fields("a.pts", "1\n1 2 3 4 5 6\n"), colours);
+  EXPECT_EQ(names_of_fields("a.csv", "x,y,z,r,b\n1,2,3,4,5\n"), (std::vector<std::string>{"r", "b"}));
+}
+
+TEST(ReadXyz, PointsOfAPtsFileHaveIntensityAndColour) {
+  EXPECT_EQ(names_of_fields("a.pts", "1\n1 2 3 -1000 4 5 6\n"),
+            (std::vector<std::string>{"intensity", "red", "green", "blue"}));
+  EXPECT_EQ(parse_cloud({"a.pts", "1\n1 2 3 -1000 4 5 6\n"}, {}).cloud.intensities, std::vector<float>{-1000});
+  EXPECT_EQ(names_of_fields("a.xyz", "1\n1 2 3 4 5 6\n"),
+            (std::vector<std::string>{"column_4", "column_5", "column_6"}));
+}
+
+TEST(ReadXyz, XyznHasNormals) {
+  const CloudFile read = parse_cloud({"a.xyzn", "1 2 3 0 0 2\n"}, {});
+  EXPECT_TRUE(read.report.has_normals);
+  EXPECT_EQ(read.cloud.directions, std::vector<Vec3f>{Vec3f(0, 0, 1)});
+}
 
 // Whatever other comments stand around it.
 TEST(ReadXyz, AnyCommentBeforeTheFirstPointMayNameTheColumns) {

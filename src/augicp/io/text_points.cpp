@@ -49,14 +49,15 @@ class LineParser {
     for (std::size_t i = 0; i < points_.fields.size(); ++i) add_field(i, number, builder);
   }
 
-  bool has_commas() const { return has_commas_; }
+  const TextNotes& notes() const { return notes_; }
 
  private:
   void note_decimals(std::string_view field, std::uint64_t number) {
     if (!reads_commas_) return;
-    has_commas_ = has_commas_ || field.find(',') != std::string_view::npos;
+    bool& has_commas = notes_.has_decimal_commas;
+    has_commas = has_commas || field.find(',') != std::string_view::npos;
     has_points_ = has_points_ || field.find('.') != std::string_view::npos;
-    if (has_commas_ && has_points_)
+    if (has_commas && has_points_)
       throw io_error_at_line(file_.path, number, "expected either decimal commas or decimal points, found both");
   }
 
@@ -93,7 +94,14 @@ class LineParser {
       throw io_error_at_line(file_.path, number,
                              fmt::format("expected {}{} values, found {}: {}", exact ? "" : "at least ", expected,
                                          column, in_quotes(line)));
+    note_count(column, number);
     return values_;
+  }
+
+  void note_count(std::size_t count, std::uint64_t number) {
+    if (num_first_ == 0) num_first_ = count;
+    if (count != num_first_ && notes_.uneven.empty())
+      notes_.uneven = fmt::format("line {} has {} values, the first point has {}", number, count, num_first_);
   }
 
   const FileBytes& file_;
@@ -102,7 +110,9 @@ class LineParser {
   PointValues values_{};
   std::vector<std::string_view> cells_;
   const bool reads_commas_ = points_.may_have_decimal_commas && points_.separator == ';';
-  bool has_commas_ = false, has_points_ = false;
+  bool has_points_ = false;
+  std::size_t num_first_ = 0;  // values in the first line
+  TextNotes notes_;
 };
 
 }  // namespace
@@ -111,19 +121,24 @@ std::optional<double> parse_with_comma(std::string_view cell) {
   return has_decimal_comma(cell) ? parse_double(with_point(cell)) : parse_double(cell);
 }
 
-bool add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
-                CloudBuilder& builder) {
+bool is_comment(std::string_view line) {
+  line = trimmed(line);
+  return line.starts_with('#') || line.starts_with('%') || line.starts_with("//");
+}
+
+TextNotes add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
+                     CloudBuilder& builder) {
   const bool all = points.num_points == std::numeric_limits<std::uint64_t>::max();
   LineParser parser(file, points);
   for (std::uint64_t i = 0; i < points.num_points;) {
     const auto line = lines.next_not_blank();
     if (!line && all) break;
     if (!line) throw io_error(file.path, fmt::format("expected {} points, found {}", points.num_points, i));
-    if (points.has_comments && trimmed(*line).starts_with('#')) continue;
+    if (points.has_comments && is_comment(*line)) continue;
     parser.add(*line, lines_before + lines.line(), builder);
     ++i;
   }
-  return parser.has_commas();
+  return parser.notes();
 }
 
 void check_is_text(const FileBytes& file) {

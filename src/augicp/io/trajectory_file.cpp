@@ -63,7 +63,7 @@ TrajectoryFile parse_tum_trajectory(const FileBytes& file) {
   TextLines lines(without_bom(file.bytes));
   while (const auto line = lines.next()) {
     const std::string_view content = trimmed(line->substr(0, line->find('#')));
-    if (content.empty()) continue;
+    if (content.empty() || is_comment(content)) continue;
     try {
       builder.add(pose_of_table(numbers_of(content), 1.0), lines.line());
     } catch (const Fault& fault) {

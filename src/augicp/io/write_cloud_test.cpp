@@ -164,13 +164,13 @@ TEST(WriteCloud, AFullDiskIsAnErrorAndLeavesNothing) {
 
 TEST(ReadCloud, AnUnknownExtensionIsRefusedWithTheKnownOnes) {
   const testing::TemporaryFolder folder;
-  write_file(folder / "cloud.glb", "solid\n");
+  write_file(folder / "cloud.off", "OFF\n");
   try {
-    read_cloud(folder / "cloud.glb");
+    read_cloud(folder / "cloud.off");
     FAIL() << "no error";
   } catch (const IoError& error) {
     for (const char* part :
-         {"cloud.glb", ".ply .pcd .xyz .txt .csv .pts .bin .npy .las .laz .stl .obj", "found '.glb'"})
+         {"cloud.off", ".ply .pcd .las .laz .xyz", ".stl .obj", "found '.off'", "export it as .ply"})
       EXPECT_THAT(error.what(), ::testing::HasSubstr(part));
   }
 }
