@@ -4,6 +4,7 @@
 make_corpus.py [FOLDER]    run again after a change; what was found (regression-*) stays
 """
 
+import base64
 import bz2
 import contextlib
 import pathlib
@@ -40,6 +41,28 @@ def ply_files():
     yield "columns", ply("binary_little_endian", "<", body, columns, 6)
     before = b"ply\r\nformat ascii 1.0\r\nobj_info none\r\nelement camera 1\r\nproperty list char float v\r\nelement vertex 2\r\n"
     yield "element-before", before + b"property int x\r\nproperty int y\r\nproperty int8 z\r\nend_header\r\n2 0.5 1\r\n1 2 3\r\n4 5 6\r\n"
+
+
+def gltf_files():
+    corners = numpy.array([(0, 0, 3), (2, 0, 3), (0, 2, 3), (2, 2, 3)], "<f4").tobytes()
+    buffer = corners + numpy.array([0, 1, 2, 2, 1, 3], "<u2").tobytes()
+    inside = '"uri": "data:application/octet-stream;base64,' + base64.b64encode(buffer).decode() + '", '
+
+    def document(uri, node="", primitive='"indices": 1, '):
+        return ('{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{%s"mesh": 0}, {}], "meshes": '
+                '[{"primitives": [{%s"attributes": {"POSITION": 0}}]}], "accessors": [{"bufferView": 0, "componentType": 5126, '
+                '"count": 4, "type": "VEC3"}, {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}], "bufferViews": '
+                '[{"buffer": 0, "byteLength": 48, "byteStride": 12}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}], "buffers": '
+                '[{%s"byteLength": 60}]}' % (node, primitive, uri)).encode()
+    text = document("")
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(buffer), 0x004E4942) + buffer
+    yield "binary", struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+    yield "embedded", document(inside)
+    yield "moved", document(inside, '"children": [1], "translation": [1, 2, 3], "rotation": [0, 0, 0.6, 0.8], "scale": [1, -1, 2], ')
+    yield "matrix-strip", document(inside, '"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1], ', '"mode": 5, ')
+    yield "points", document(inside, primitive='"mode": 0, ')
+    yield "beside", document('"uri": "a.bin", ')
 
 
 def lzf_literals(data):
@@ -207,6 +230,7 @@ def depth_message_files():
     for name, words, head in (("compressed", b"16UC1; compressedDepth png", bytes(12)),
                               ("inverse", b"32FC1; compressedDepth", struct.pack("<Iff", 0, 5000, 100)), ("png", b"16UC1; png compressed ", b"")):
         yield name, b"\3" + header(False) + text_in_bag(words) + text_in_bag(head + png)
+    yield "rvl", b"\3" + header(False) + text_in_bag(b"16UC1; compressedDepth rvl") + text_in_bag(bytes(12) + struct.pack("<3I", 2, 2, 0x21a10150))
     k = (500, 0, 320, 0, 500, 240, 0, 0, 1)
     yield "camera", (b"\5" + header(False) + struct.pack("<II", 480, 640) + text_in_bag(b"plumb_bob") +
                      struct.pack("<I5d", 5, 0.1, -0.2, 0, 0, 0.1) + struct.pack("<30d", *k, *(0,) * 9, 450, 0, 310, 0, 0, 450, 230, 0, 0, 0, 1, 0))
@@ -315,6 +339,62 @@ def depth_pgm_files():
     yield "grey-8", b"P5 2 1 255\n\x01\x00"
 
 
+def depth_pfm_files():
+    values = numpy.arange(12, dtype="f4").reshape(3, 4) / 4
+    values[1, 1] = numpy.inf
+    yield "little", b"Pf\n4 3\n-1.0\n" + values.tobytes()
+    yield "big", b"Pf\n4 3\n1\n" + values.astype(">f4").tobytes()
+
+
+def tiff(values, order, compression=1, predictor=1, tile=None):
+    """Strips of two rows, or square tiles."""
+    height, width = values.shape
+    across, down = (tile, tile) if tile else (width, 2)
+    padded = numpy.pad(values, ((0, -height % down if tile else 0), (0, -width % across)))
+    body, places = b"", []
+    for top in range(0, height, down):
+        for left in range(0, width, across):
+            block = padded[top:top + down, left:left + across]
+            if predictor == 2:
+                block = numpy.diff(block, axis=1, prepend=block.dtype.type(0))
+            if predictor == 3:
+                planes = numpy.moveaxis(block.astype(">f4").copy().view("u1").reshape(len(block), across, 4), 2, 1).reshape(len(block), -1)
+                block = numpy.diff(planes, axis=1, prepend=numpy.uint8(0))
+            raw = block.astype(block.dtype.newbyteorder(order)).tobytes()
+            packed = {1: raw, 8: zlib.compress(raw), 5: lzw_literals(raw), 32773: bytes([len(raw) - 1]) + raw}[compression]
+            places.append((8 + len(body), len(packed)))
+            body += packed
+    lists = 8 + len(body)
+    body += b"".join(struct.pack(f"{order}{len(places)}I", *column) for column in zip(*places))
+    bits, form = 8 * values.itemsize, {"u": 1, "i": 2, "f": 3}[values.dtype.kind]
+    tags = [(256, 1, width), (257, 1, height), (258, 1, bits), (259, 1, compression), (277, 1, 1), (317, 1, predictor), (339, 1, form)]
+    tags += [(322, 1, tile), (323, 1, tile)] if tile else [(278, 1, down)]
+    for k, tag in enumerate((324, 325) if tile else (273, 279)):
+        tags.append((tag, len(places), places[0][k] if len(places) == 1 else lists + 4 * k * len(places)))
+    entries = b"".join(struct.pack(order + "HHII", tag, 4, count, value) for tag, count, value in tags)
+    mark = b"II" if order == "<" else b"MM"
+    return mark + struct.pack(order + "HI", 42, 8 + len(body)) + body + struct.pack(order + "H", len(tags)) + entries + bytes(4)
+
+
+def lzw_literals(raw):
+    """LZW without any strings: codes of 9 bits, cleared before they would grow."""
+    codes = [code for i, byte in enumerate(raw) for code in (([256] if i % 200 == 0 else []) + [byte])] + [257]
+    bits = "".join(f"{code:09b}" for code in codes)
+    return bytes(int(bits[i:i + 8].ljust(8, "0"), 2) for i in range(0, len(bits), 8))
+
+
+def depth_tiff_files():
+    whole = numpy.arange(500, 535, dtype="u2").reshape(5, 7)
+    metres = (whole / 100).astype("f4")
+    metres[2, 2] = numpy.nan
+    yield "plain", tiff(whole, "<")
+    yield "big", tiff(whole, ">", predictor=2)
+    yield "lzw", tiff(whole, "<", 5)
+    yield "packed", tiff(whole, "<", 32773)
+    yield "floats", tiff(metres, "<", 8, predictor=3)
+    yield "tiles", tiff(metres, ">", 8, tile=4)
+
+
 def depth_npy_files():
     values = numpy.arange(12, dtype="f4").reshape(3, 4) / 4
     values[1, 1] = numpy.nan
@@ -365,8 +445,8 @@ def align_files():
     yield "outlier", bytes((1, 200, 2, 0x40)) + guess + POINTS.tobytes() + struct.pack("<3f", 1e17, 0, 0) + POINTS.tobytes()
 
 
-FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "stl": stl_files, "obj": obj_files, "ply_mesh": ply_mesh_files, "point_cloud2": point_cloud2_files, "depth_message": depth_message_files, "mcap": mcap_files,
-         "rosbag1": rosbag1_files, "rosbag2": rosbag2_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files, "depth_pgm": depth_pgm_files, "depth_npy": depth_npy_files,
+FILES = {"ply": ply_files, "pcd": pcd_files, "las": las_files, "stl": stl_files, "obj": obj_files, "gltf": gltf_files, "ply_mesh": ply_mesh_files, "point_cloud2": point_cloud2_files, "depth_message": depth_message_files, "mcap": mcap_files,
+         "rosbag1": rosbag1_files, "rosbag2": rosbag2_files, "npy": npy_files, "kitti": kitti_files, "depth_png": depth_png_files, "depth_pgm": depth_pgm_files, "depth_npy": depth_npy_files, "depth_pfm": depth_pfm_files, "depth_tiff": depth_tiff_files,
          "grey_png": grey_png_files, "sequence": sequence_files, "align": align_files,
          "xyz": corpus_texts.XYZ.items, "image_list": corpus_texts.IMAGE_LIST.items, "trajectory": corpus_texts.TRAJECTORY.items,
          "poses": corpus_texts.POSES.items, "transform": corpus_texts.TRANSFORM.items, "camera": corpus_texts.CAMERA.items,

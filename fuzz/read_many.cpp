@@ -144,6 +144,8 @@ Content read(const FileBytes& file) {
   if (kind == ".depth_png") return read_depth(file, ".png");
   if (kind == ".depth_pgm") return read_depth(file, ".pgm");
   if (kind == ".depth_npy") return read_depth(file, ".npy");
+  if (kind == ".depth_pfm") return read_depth(file, ".pfm");
+  if (kind == ".depth_tiff") return read_depth(file, ".tif");
   if (kind == ".grey_png") return read_grey(file);
   if (kind == ".image_list") return read_list(file);
   if (kind == ".trajectory") return content_of(parse_tum_trajectory(file));

@@ -26,16 +26,18 @@ import hostile_las
 import hostile_mutations
 import hostile_oracles
 import hostile_small_oracles as small
+import hostile_tiff
 
 CORPUS = pathlib.Path(__file__).parent.parent / "fuzz" / "corpus"
 KINDS = {"ply": (".ply", hostile_oracles.ply), "pcd": (".pcd", hostile_oracles.pcd), "las": (".las", hostile_las.las), "xyz": (".csv", hostile_oracles.xyz),
          "npy": (".npy", hostile_oracles.npy), "kitti": (".bin", hostile_oracles.kitti), "depth_png": (".depth_png", small.depth_png),
-         "depth_pgm": (".depth_pgm", small.depth_pgm), "depth_npy": (".depth_npy", small.depth_npy), "poses": (".poses", small.poses),
+         "depth_pgm": (".depth_pgm", small.depth_pgm), "depth_npy": (".depth_npy", small.depth_npy),
+         "depth_pfm": (".depth_pfm", hostile_tiff.pfm), "depth_tiff": (".depth_tiff", hostile_tiff.tiff), "poses": (".poses", small.poses),
          "grey_png": (".grey_png", small.grey_png), "trajectory": (".trajectory", small.trajectory),
          "image_list": (".image_list", small.image_list), "transform": (".transform", small.transform),
          "camera": (".camera", small.camera), "mcap": (".mcap", hostile_bags.mcap), "rosbag1": (".bag", hostile_bags.rosbag1),
          "rosbag2": (".db3", hostile_bags.rosbag2),
-         "point_cloud2": (".point_cloud2", None), "depth_message": (".depth_message", None), "stl": (".stl", None), "obj": (".obj", None), "ply_mesh": (".ply_mesh", None)}
+         "point_cloud2": (".point_cloud2", None), "depth_message": (".depth_message", None), "stl": (".stl", None), "obj": (".obj", None), "gltf": (".gltf", None), "ply_mesh": (".ply_mesh", None)}
 TASK_SIZE = 2000
 
 

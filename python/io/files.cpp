@@ -2,7 +2,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "augicp/io/depth_png.h"
+#include "augicp/io/camera_file.h"
+#include "augicp/io/depth_file.h"
 #include "augicp/io/file_bytes.h"
 #include "augicp/io/read_cloud.h"
 #include "augicp/io/transform_file.h"
@@ -21,22 +22,32 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReadDoc =
-    R"(The Cloud in a file: .ply, .pcd, .las, .laz (with laspy), .xyz .txt .csv .pts, KITTI's .bin, .npy, or a 16-bit depth .png;
-or one cloud of a recording (.bag, .db3, .mcap, or a folder of rosbag2): "drive.mcap#12" is the one with number 12, from 0, and
+    R"(The Cloud in a file: .ply, .pcd, .las, .laz (with laspy), .xyz .txt .csv .pts .asc, KITTI's .bin, .npy, .stl, .obj, .glb,
+.gltf, or a depth image (see read_depth; .npy with camera); or one cloud of a recording (.bag, .db3, .mcap, or a folder of rosbag2): "drive.mcap#12" is the one with number 12, from 0, and
 "drive.mcap#/points#12" that of a topic.
 
-camera, depth_scale: of a depth image, which needs both; see Cloud.from_depth.
+camera, depth_scale: of a depth image, see Cloud.from_depth. A camera's name brings its depth_scale, and floats need none.
 bin_columns: numbers a point in a .bin file: 3, 4 (x y z intensity), 5 or 6; 0: 4 to 6, found by the numbers. max_points: files with more are refused.
 
 Points that are not finite are dropped. Raises FileError, with nothing read, for a file that is damaged, cut short or without
 points. A suspicious file is a UserWarning.)";
 
+// That of a named camera; of formats that may have floats, metres.
+std::optional<double> usual_scale(const fs::path& path, const py::object& camera) {
+  constexpr double kMetres = 1.0;
+  if (py::isinstance<py::str>(camera))
+    if (const auto named = depth_scale_of_camera(camera.cast<std::string>())) return named;
+  const std::string extension = lower_case_extension(path);
+  return extension == ".png" || extension == ".pgm" ? std::nullopt : std::optional(kMetres);
+}
+
 ColouredScan read_image(const fs::path& path, const py::object& camera, std::optional<double> depth_scale) {
-  if (camera.is_none() || !depth_scale) throw WrongType(path.string() + ": a depth image needs camera and depth_scale");
+  const std::optional<double> scale = depth_scale ? depth_scale : usual_scale(path, camera);
+  if (camera.is_none() || !scale) throw WrongType(path.string() + ": a depth image needs camera and depth_scale");
   const DepthCamera seen_by = camera_from(camera);
   return without_gil([&](const std::stop_token&) {
-    const DepthImage image = read_depth_png(path, *depth_scale);
-    check_depth_scale(image, path, *depth_scale);
+    const DepthImage image = read_depth_image(path, *scale);
+    check_depth_scale(image, path, *scale);
     return ColouredScan(scan_of(image, seen_by));
   });
 }
@@ -64,7 +75,10 @@ CloudFile read_file(const fs::path& path, const ReadOptions& options) {
 
 ColouredScan read(const fs::path& path, const py::object& camera, std::optional<double> depth_scale, int bin_columns,
                   std::uint64_t max_points) {
-  if (lower_case_extension(path) == ".png") return read_image(path, camera, depth_scale);
+  const bool is_image = is_image_file(path) || (lower_case_extension(path) == ".npy" && !camera.is_none());
+  if (is_image) return read_image(path, camera, depth_scale);
+  if (!camera.is_none())
+    throw std::invalid_argument(path.string() + ": camera goes with a depth image, and this is none");
   const ReadOptions options{max_points, bin_columns, /*keep_fields=*/true};  // for the colours
   CloudFile file = read_file(path, options);
   warn(file.report.warnings, path.string());

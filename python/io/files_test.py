@@ -31,6 +31,22 @@ def test_depth_images(tmp_path):
         augicp.read(IMAGES[0], "tum-fr1", 5)
 
 
+def test_depth_images_of_other_forms(tmp_path):
+    image = augicp.read_depth(IMAGES[0], 5000)
+    readings = np.nan_to_num(image)
+    np.save(tmp_path / "a.npy", readings)
+    height, width = image.shape
+    (tmp_path / "a.pfm").write_bytes(b"Pf\n%d %d\n-1\n" % (width, height) + readings[::-1].astype("<f4").tobytes())
+    (tmp_path / "a.pgm").write_bytes(b"P5\n%d %d\n65535\n" % (width, height) + np.round(5000 * readings).astype(">u2").tobytes())
+    expected = augicp.read(IMAGES[0], "tum-fr1").points  # its name brings the scale
+    for name, options in (("a.npy", {}), ("a.pfm", {}), ("a.pgm", {"depth_scale": 5000})):
+        assert np.array_equal(augicp.read_depth(tmp_path / name, 5000), image, equal_nan=True), name
+        assert np.array_equal(augicp.read(tmp_path / name, "tum-fr1", **options).points, expected), name
+    augicp.write(tmp_path / "a.ply", POINTS)
+    with pytest.raises(augicp.ArgumentError, match="goes with a depth image"):
+        augicp.read(tmp_path / "a.ply", "tum-fr1")
+
+
 def test_transforms(tmp_path):
     motion = augicp.read_transform(ROOM / "T_target_source.txt")
     augicp.write_transform(tmp_path / "T.txt", motion)

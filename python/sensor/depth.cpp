@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "augicp/io/cloud_file.h"
-#include "augicp/io/depth_png.h"
+#include "augicp/io/depth_file.h"
 #include "python/bindings.h"
 #include "python/core/errors.h"
 #include "python/core/numbers.h"
@@ -59,15 +59,15 @@ std::vector<std::uint16_t> sensor_values(const py::array& image) {
 }
 
 constexpr const char* kReadDoc =
-    R"(The depth image in a PNG of 16-bit grey values, as a new (height, width) float32 array
-of metres; NaN if there is no reading (0 and 65535).
+    R"(The depth image in a .png, .pgm or .tif of 16-bit grey values, in a .pfm or .tif of float32, or in an array .npy, as a new
+(height, width) float32 array of metres; NaN if there is no reading (0 and 65535).
 
-depth_scale: the value of one metre; 5000 in the TUM benchmark, 1000 in most others. Raises FileError for any other kind of
-PNG, and if the readings show that the scale is wrong by a factor.)";
+depth_scale: the value of one metre in integers; 5000 in the TUM benchmark, 1000 in most others. Floats are metres. Raises
+FileError for other images, and if the readings show that the scale is wrong by a factor.)";
 
 py::array read_depth(const std::filesystem::path& path, double depth_scale) {
   const DepthImage image = without_gil([&](const std::stop_token&) {
-    DepthImage read = read_depth_png(path, depth_scale);
+    DepthImage read = read_depth_image(path, depth_scale);
     check_depth_scale(read, path, depth_scale);
     return read;
   });

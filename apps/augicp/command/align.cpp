@@ -204,7 +204,7 @@ void add_align_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "source,--source", arguments->source,
-          "The moving cloud: .ply .pcd .las .xyz .txt .csv .pts .npy .bin, a 16-bit depth .png, or drive.mcap#12")
+          "The moving cloud: .ply .pcd .las .xyz .txt .csv .pts .npy .bin .stl .obj .glb, a depth image, or drive.mcap#12")
       ->required();
   command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
   add_input_options(*command, arguments->input);

@@ -109,7 +109,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
   command
       .add_flag(
           "--sample-faces", options.read.sample_faces,
-          "Take .ply files with faces as meshes: points on the faces, with exact normals (.stl and .obj always are)")
+          "Take .ply files with faces as meshes: points on the faces, with exact normals (.stl, .obj, .glb always are)")
       ->group(group);
   command
       .add_option("--topic", options.topic,
@@ -151,8 +151,8 @@ void require_use_of(const InputOptions& options, const std::vector<std::filesyst
   const bool has_image = any([&](const std::filesystem::path& path) { return is_depth_image(path, options); });
   if (!options.camera.empty() && !has_image && !has_message)
     throw std::invalid_argument(
-        fmt::format("--camera {}: goes with a depth image (.png, .pgm, .npy), and {} is a cloud", options.camera,
-                    inputs.front().string()));
+        fmt::format("--camera {}: goes with a depth image (.png, .pgm, .pfm, .tif, .npy), and {} is none",
+                    options.camera, inputs.front().string()));
 }
 
 void warn_of_units(const Cloud& source, const Cloud& target) {

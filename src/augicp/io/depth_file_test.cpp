@@ -57,6 +57,25 @@ TEST(DepthFile, EveryFormatHasTheSameImage) {
   expect_the_image("a.npy", npy("<f2", "(2, 3)", packed<std::uint16_t>({0x3800, 0, 0x3c00, 0x4000, 0x7e00, 0x4300})));
 }
 
+const std::string kPfm = "Pf\n3 2\n-1.0\n" + packed<float>({2.0f, INFINITY, 3.5f, 0.5f, 0.0f, 1.0f});
+
+// The lowest row comes first.
+TEST(DepthFile, PfmHasTheSameImage) {
+  expect_the_image("a.pfm", kPfm);
+  std::string big = "Pf\n3 2\n1.0\n";
+  for (const float metres : {2.0f, -1.0f, 3.5f, 0.5f, NAN, 1.0f}) {
+    const std::string little = packed<float>({metres});
+    big.append(little.rbegin(), little.rend());
+  }
+  expect_the_image("a.pfm", big);
+}
+
+TEST(DepthFile, AFurtherSideOfOneIsIgnored) {
+  const std::string body = packed<float>({0.5f, 0.0f, 1.0f, 2.0f, NAN, 3.5f});
+  expect_the_image("a.npy", npy("<f4", "(2, 3, 1)", body));
+  expect_the_image("a.npy", npy("<f4", "(1, 2, 3)", body));
+}
+
 // robustness 1
 TEST(DepthFile, CutsAreRefused) {
   const std::string array = npy("<f4", "(2, 3)", packed<float>({1, 2, 3, 4, 5, 6}));
@@ -64,6 +83,8 @@ TEST(DepthFile, CutsAreRefused) {
     EXPECT_NE(refusal_of_image("a.pgm", kPgm.substr(0, length)), "") << length;
   for (std::size_t length = 0; length < array.size(); ++length)
     EXPECT_NE(refusal_of_image("a.npy", array.substr(0, length)), "") << length;
+  for (std::size_t length = 0; length < kPfm.size(); ++length)
+    EXPECT_NE(refusal_of_image("a.pfm", kPfm.substr(0, length)), "") << length;
   EXPECT_THAT(refusal_of_image("a.pgm", kPgm + "x"), HasSubstr("found more"));
 }
 
@@ -73,6 +94,11 @@ TEST(DepthFile, OtherImagesAreRefused) {
   EXPECT_THAT(refusal_of_image("a.pgm", "P5\n99999 99999 65535\nx"), HasSubstr("pixels a side"));
   EXPECT_THAT(refusal_of_image("a.npy", npy("<f4", "(2, 3, 3)", std::string(72, 'a'))), HasSubstr("(H, W)"));
   EXPECT_THAT(refusal_of_image("a.npy", npy("<f4", "(0, 3)", "")), HasSubstr("pixels a side"));
+  EXPECT_THAT(refusal_of_image("a.npy", npy("<f4", "(2, 3, 3)", "")), HasSubstr("found '(2, 3, 3)'"));
+  EXPECT_THAT(refusal_of_image("a.pfm", "PF\n1 1\n-1\n"), HasSubstr("'Pf'"));
+  EXPECT_THAT(refusal_of_image("a.pfm", "Pf\n1 1\n0\nabcd"), HasSubstr("scale"));
+  EXPECT_THAT(refusal_of_image("a.exr", "v/1"), HasSubstr("oiiotool"));
+  EXPECT_THAT(refusal_of_image("a.JPG", ""), HasSubstr("lost its depths"));
   EXPECT_THROW(parse_depth_image({"a.pgm", kPgm}, 0.0), std::invalid_argument);
 }
 

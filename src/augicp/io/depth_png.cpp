@@ -75,7 +75,7 @@ std::optional<std::string> depth_scale_problem(const DepthImage& image, double d
   if (middle >= kNearest && middle <= kFarthest) return std::nullopt;
   return fmt::format(
       "the median depth is {} m: is the depth scale {} right? It is a divisor, metres = value / scale; "
-      "5000 for TUM, 1000 for most others",
+      "5000 for TUM, 1000 for most others; floats are metres already",
       middle, depth_scale);
 }
 

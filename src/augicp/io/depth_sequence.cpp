@@ -102,15 +102,16 @@ DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
   } else {
     const fs::path images = fs::is_directory(folder / "depth", ignored) ? folder / "depth" : folder;
     sequence.layout = "numbered";
-    for (const char* ending : {".png", ".pgm", ".npy"})
+    for (const char* ending : {".png", ".pgm", ".npy", ".pfm", ".tif", ".tiff"})
       if (sequence.frames.empty()) sequence.frames = numbered_files(images, ending, frames_per_s);
     sequence.depth_scale = kUsualDepthScale;
     read_truth(folder, sequence);
   }
   read_camera_in(folder, sequence);
   if (sequence.frames.empty())
-    throw io_error(
-        folder, "expected depth.txt, frame-000000.depth.png ... or numbered .png, .pgm or .npy files, found no image");
+    throw io_error(folder,
+                   "expected depth.txt, frame-000000.depth.png ... or numbered .png, .pgm, .npy, .pfm or .tif files, "
+                   "found no image");
   return sequence;
 }
 

@@ -179,6 +179,9 @@ std::vector<std::uint64_t> sides_in(std::string_view value) {
   return sides;
 }
 
+// The text up to its bracket.
+std::string_view tuple_of(std::string_view value) { return value.substr(0, value.find(')') + 1); }
+
 void check_shape_of_points(const FileBytes& file, const NpyHeader& header, std::string_view value) {
   const std::vector<std::uint64_t>& shape = header.shape;
   const bool fits =
@@ -187,11 +190,11 @@ void check_shape_of_points(const FileBytes& file, const NpyHeader& header, std::
     throw io_error_at_byte(
         file.path, kTextOffset,
         fmt::format("expected the shape {}, found {}",
-                    header.is_structured() ? "(N,) or (H, W)" : "(N, 3) or (H, W, 3)", in_quotes(value)));
+                    header.is_structured() ? "(N,) or (H, W)" : "(N, 3) or (H, W, 3)", in_quotes(tuple_of(value))));
   if (!header.is_structured() && shape.size() == 2 && (shape[0] == 3 || shape[0] == 4) && shape[1] > kMostNumbers)
-    throw io_error_at_byte(file.path, kTextOffset,
-                           fmt::format("expected the shape (N, 3), found {}: is it transposed?",
-                                       in_quotes(value.substr(0, value.find(')') + 1))));
+    throw io_error_at_byte(
+        file.path, kTextOffset,
+        fmt::format("expected the shape (N, 3), found {}: is it transposed?", in_quotes(tuple_of(value))));
 }
 
 struct Parsed {
@@ -224,9 +227,12 @@ NpyHeader parse_npy_header(const FileBytes& file) {
 
 NpyHeader parse_npy_image_header(const FileBytes& file) {
   Parsed parsed = parse_any(file);
-  if (parsed.header.is_structured() || parsed.header.shape.size() != 2)
+  std::vector<std::uint64_t>& shape = parsed.header.shape;
+  if (shape.size() == 3 && shape.back() == 1) shape.pop_back();
+  if (shape.size() == 3 && shape.front() == 1) shape.erase(shape.begin());
+  if (parsed.header.is_structured() || shape.size() != 2)
     throw io_error_at_byte(file.path, kTextOffset,
-                           "expected a depth image of the shape (H, W), found " + in_quotes(parsed.shape));
+                           "expected a depth image of the shape (H, W), found " + in_quotes(tuple_of(parsed.shape)));
   return std::move(parsed.header);
 }
 

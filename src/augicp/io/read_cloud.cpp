@@ -27,7 +27,8 @@ struct Format {
 constexpr Format kFormats[] = {
     {".ply", parse_ply},    {".pcd", parse_pcd},   {".las", parse_las}, {".laz", parse_las}, {".xyz", parse_xyz},
     {".txt", parse_xyz},    {".csv", parse_xyz},   {".pts", parse_xyz}, {".asc", parse_xyz}, {".xyzn", parse_xyz},
-    {".xyzrgb", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy}, {".stl", parse_stl}, {".obj", parse_obj}};
+    {".xyzrgb", parse_xyz}, {".bin", parse_kitti}, {".npy", parse_npy}, {".stl", parse_stl}, {".obj", parse_obj},
+    {".glb", parse_gltf},   {".gltf", parse_gltf}};
 
 struct Advice {
   std::string_view extensions, advice;  // the extensions with a blank behind each

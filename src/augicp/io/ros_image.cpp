@@ -11,6 +11,7 @@
 
 #include "augicp/io/depth_png.h"
 #include "augicp/io/format.h"
+#include "augicp/io/rvl.h"
 
 namespace augicp {
 namespace {
@@ -68,6 +69,20 @@ DepthImage from_inverse(DepthImage image, std::string_view head) {
   return depth_image(image.depth, image.width, image.height, 1.0);  // without what is not above 0
 }
 
+// Width and height in front.
+DepthImage parse_rvl(MessageReader& reader, std::string_view data, double depth_scale) {
+  constexpr std::size_t kSizeBytes = 8;
+  if (data.size() < kSizeBytes) reader.fail("expected the size of an RVL image, the message ends here");
+  const auto side_at = [&](std::size_t at) {
+    return static_cast<std::uint64_t>(read_scalar(data.data() + at, ScalarType::Uint32, ByteOrder::Little));
+  };
+  const std::uint64_t width = side_at(0), height = side_at(4);
+  check_sides(reader, width, height);
+  const auto pixels = rvl_pixels(data.substr(kSizeBytes), width * height);
+  if (!pixels) reader.fail(fmt::format("expected {} pixels in RVL; they are damaged", width * height));
+  return depth_image(*pixels, static_cast<int>(width), static_cast<int>(height), depth_scale);
+}
+
 DepthImage parse_compressed(const std::filesystem::path& source, MessageReader& reader, double depth_scale) {
   constexpr std::size_t kHeadBytes = 12;
   constexpr std::string_view kPngMark = "\x89PNG";
@@ -80,13 +95,14 @@ DepthImage parse_compressed(const std::filesystem::path& source, MessageReader& 
     head = data.substr(0, kHeadBytes);
     data.remove_prefix(std::min(data.size(), kHeadBytes));
   }
-  if (!data.starts_with(kPngMark))
+  const bool is_png = data.starts_with(kPngMark), is_float = is_of_floats(format);
+  if (!is_png && !contains(format, "rvl"))
     reader.fail(fmt::format("expected a PNG as {}, found other bytes; image_transport's republish makes raw images",
                             in_quotes(format)));
-  const FileBytes png{source, std::string(data)};
-  if (!is_of_floats(format)) return parse_depth_png(png, depth_scale);
-  if (head.empty()) reader.fail("expected the two parameters of inverse depths before the PNG");
-  return from_inverse(parse_depth_png(png, 1.0), head);
+  if (is_float && head.empty()) reader.fail("expected the two parameters of inverse depths before the image");
+  const double scale = is_float ? 1.0 : depth_scale;
+  DepthImage image = is_png ? parse_depth_png({source, std::string(data)}, scale) : parse_rvl(reader, data, scale);
+  return is_float ? from_inverse(std::move(image), head) : image;
 }
 
 template <std::size_t kCount>

@@ -25,7 +25,7 @@ bool is_depth_encoding(std::string_view encoding);
 // A depth image from an Image or CompressedImage:
 //   16UC1, mono16            values / depth_scale; 0 and 65535 are no reading
 //   32FC1                    metres
-//   16UC1; compressedDepth   a PNG of 16 bits, behind 12 bytes
+//   16UC1; compressedDepth   a PNG of 16 bits, behind 12 bytes; or, if the format has "rvl", RVL, see rvl.h
 //   32FC1; compressedDepth   the same with inverse depths, quantised: depth = a / (value - b), a and b in the 12 bytes
 //   16UC1; png               a PNG of 16 bits
 // Images have at most 16384 pixels a side. Throws IoError that begins with `source` for any other and for damage.

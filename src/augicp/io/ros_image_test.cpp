@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/ros_image.h"
 
+#include <random>
+
 #include "augicp/io/bag_testing.h"
 #include "augicp/io/depth_png.h"
+#include "augicp/io/rvl.h"
 #include "augicp/testing/temporary_folder.h"
 
 namespace augicp {
@@ -118,6 +121,86 @@ TEST(DepthMessage, InverseDepthsAreUndone) {
   for (std::size_t i = 0; i < depths.size(); ++i) EXPECT_NEAR(image.depth[i], depths[i], 1e-3 * depths[i]);
 }
 
+// Runs of zeros and of differences, as the paper of RVL has them.
+std::string rvl(const std::vector<std::uint16_t>& values) {
+  std::string bytes;
+  std::uint32_t word = 0;
+  int num_nibbles = 0;
+  const auto put_nibble = [&](std::uint32_t nibble) {
+    word = word << 4 | nibble;
+    if (++num_nibbles < 8) return;
+    bytes += testing::u32(word);
+    num_nibbles = 0;
+  };
+  const auto put = [&](std::uint32_t number) {
+    for (; number > 7; number >>= 3) put_nibble((number & 7) | 8);
+    put_nibble(number);
+  };
+  int before = 0;
+  for (std::size_t begin = 0; begin < values.size();) {
+    std::size_t filled = begin;
+    while (filled < values.size() && values[filled] == 0) ++filled;
+    std::size_t end = filled;
+    while (end < values.size() && values[end] != 0) ++end;
+    put(static_cast<std::uint32_t>(filled - begin));
+    put(static_cast<std::uint32_t>(end - filled));
+    for (std::size_t i = filled; i < end; before = values[i++]) {
+      const int difference = values[i] - before;
+      put(static_cast<std::uint32_t>(difference < 0 ? -2 * difference - 1 : 2 * difference));
+    }
+    begin = end;
+  }
+  while (num_nibbles != 0) put_nibble(0);
+  return bytes;
+}
+
+std::string rvl_message(const std::vector<std::uint16_t>& values, std::uint32_t width, std::uint32_t height) {
+  return std::string(12, '\0') + testing::u32(width) + testing::u32(height) + rvl(values);
+}
+
+TEST(DepthMessage, RvlIsTheSameImage) {
+  std::mt19937 random(7);
+  std::vector<std::uint16_t> values;
+  for (int i = 0; i < 40 * 30; ++i)
+    values.push_back(
+        random() % 5 == 0 ? 0 : static_cast<std::uint16_t>(random() % 3 == 0 ? 1 + random() % 65534 : 1500 + i));
+  for (const std::vector<std::uint16_t>& image :
+       {values, std::vector<std::uint16_t>(1200, 0), std::vector<std::uint16_t>(1200, 9)}) {
+    const std::string message = compressed_message("16UC1; compressedDepth rvl", rvl_message(image, 40, 30));
+    const DepthImage read = parse_depth_message("bag", kCompressedImage, message, MessageForm::Cdr, 1000.0);
+    const DepthImage expected = depth_image(image, 40, 30, 1000.0);
+    ASSERT_EQ(read.width, 40);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (std::isnan(expected.depth[i])) {
+        ASSERT_TRUE(std::isnan(read.depth[i])) << i;
+      } else {
+        ASSERT_EQ(read.depth[i], expected.depth[i]) << i;
+      }
+    }
+  }
+}
+
+// The words of an image by hand: 2 zeros, 1 value, 5 = 10 folded; then 0 zeros, 1 value, -3 from it.
+TEST(DepthMessage, RvlIsReadAsTheTextOfThePaperHasIt) {
+  EXPECT_EQ(rvl_pixels(testing::u32(0x21a10150u), 4), (std::vector<std::uint16_t>{0, 0, 5, 2}));
+}
+
+TEST(DepthMessage, DamagedRvlIsRefused) {
+  std::vector<std::uint16_t> values(1200, 700);
+  for (std::size_t i = 0; i < values.size(); i += 7) values[i] = static_cast<std::uint16_t>(i);
+  const std::string good = rvl_message(values, 40, 30);
+  const auto refused = [](const std::string& data) {
+    const std::string message = compressed_message("16UC1; compressedDepth rvl", data);
+    return refusal_of([&] { parse_depth_message("bag", kCompressedImage, message, MessageForm::Cdr, 1000.0); });
+  };
+  EXPECT_EQ(refused(good), "");
+  for (std::size_t length = 0; length < good.size(); ++length) ASSERT_NE(refused(good.substr(0, length)), "") << length;
+  EXPECT_THAT(refused(good + testing::u32(0)), HasSubstr("damaged"));
+  EXPECT_THAT(refused(rvl_message(values, 40, 31)), HasSubstr("1240 pixels"));
+  EXPECT_THAT(refused(rvl_message(values, 40, 29)), HasSubstr("1160 pixels"));
+  EXPECT_THAT(refused(rvl_message(values, 0xffffffffu, 2)), HasSubstr("pixels a side"));
+}
+
 TEST(DepthMessage, WhatIsNoDepthIsRefused) {
   EXPECT_FALSE(is_depth_encoding("rgb8") || is_depth_encoding("bgr8; jpeg compressed bgr8"));
   EXPECT_THAT(refusal_of([] {
@@ -125,8 +208,8 @@ TEST(DepthMessage, WhatIsNoDepthIsRefused) {
                                     1.0);
               }),
               HasSubstr("found 'rgb8'"));
-  const std::string rvl = compressed_message("16UC1; compressedDepth rvl", std::string(99, 'a'));
-  EXPECT_THAT(refusal_of([&] { parse_depth_message("bag", kCompressedImage, rvl, MessageForm::Cdr, 1.0); }),
+  const std::string other = compressed_message("16UC1; compressedDepth", std::string(99, 'a'));
+  EXPECT_THAT(refusal_of([&] { parse_depth_message("bag", kCompressedImage, other, MessageForm::Cdr, 1.0); }),
               HasSubstr("republish"));
 }
 

@@ -170,7 +170,7 @@ TEST(ReadCloud, AnUnknownExtensionIsRefusedWithTheKnownOnes) {
     FAIL() << "no error";
   } catch (const IoError& error) {
     for (const char* part :
-         {"cloud.off", ".ply .pcd .las .laz .xyz", ".stl .obj", "found '.off'", "export it as .ply"})
+         {"cloud.off", ".ply .pcd .las .laz .xyz", ".stl .obj .glb .gltf", "found '.off'", "export it as .ply"})
       EXPECT_THAT(error.what(), ::testing::HasSubstr(part));
   }
 }
