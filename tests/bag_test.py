@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lidar_test import rows_of, run, scan
+from lidar_test import distances, rows_of, run, scan, world_from_sensor
 
 NUM_SCANS, START_S, GAP_S = 5, 1_700_000_000, 0.1
 FIELDS = [("x", "<f4", 7), ("y", "<f4", 7), ("z", "<f4", 7), ("intensity", "<f4", 7), ("t", "<u4", 6)]
@@ -63,6 +63,21 @@ def point_cloud2(is_cdr, k, points):
     message.data.append(0)
     message.numbers(rows.itemsize, rows.nbytes, rows.nbytes)
     return bytes(message.data) + rows.tobytes() + b"\1"
+
+
+NUM_COLUMNS, NUM_RINGS = 480, 32
+
+
+def skewed_scan(k):
+    """(N, 4) points of a sweep that begins half a scan before the pose k, column after column."""
+    elevations = np.deg2rad(np.linspace(-30.0, 20.0, NUM_RINGS))
+    columns = []
+    for share, azimuth in zip(np.linspace(0.0, 1.0, NUM_COLUMNS), np.linspace(-np.pi, np.pi, NUM_COLUMNS, endpoint=False) + 1e-3):
+        rays = np.stack([np.cos(elevations) * np.cos(azimuth), np.cos(elevations) * np.sin(azimuth), np.sin(elevations)], axis=-1)
+        pose = world_from_sensor(k + share - 0.5)
+        columns.append(rays * distances(pose[:3, 3], rays @ pose[:3, :3].T)[:, None])
+    points = np.concatenate(columns)
+    return np.column_stack([points, np.full(len(points), 0.5)]).astype("<f4")
 
 
 def text(words):
@@ -178,7 +193,7 @@ class Bags(unittest.TestCase):
     def test_results_become_a_recording(self):
         """Poses with covariances, scans and map, by our own reader and by another."""
         result = self.root / "result.mcap"
-        finished = run(self.root / "scans", "--output", self.root / "with", "--quiet", "--mcap", result)
+        finished = run(self.root / "scans", "--output", self.root / "with", "--quiet", "--mcap", result, "--point-times", "none")
         self.assertEqual((finished.returncode, finished.stderr), (0, ""))
         self.assertEqual(counts_of(result), {"/map": 1, "/odometry": NUM_SCANS, "/points": NUM_SCANS, "/tf": NUM_SCANS})
         poses = np.loadtxt(self.root / "with/trajectory.txt")
@@ -219,6 +234,23 @@ class Bags(unittest.TestCase):
             self.assertEqual(names, [("x", 0, 7), ("y", 4, 7), ("z", 8, 7), ("intensity", 12, 7)])
             rows = np.frombuffer(cloud.data, "<f4").reshape(-1, 4)
             np.testing.assert_array_equal(rows[:, :3], self.clouds[k][:, :3])
+
+    def test_scans_of_a_recording_are_deskewed_as_their_poses_have_them(self):
+        """Sweeps of a moving sensor, with times; in the result each is what the sensor would have seen from its pose."""
+        shares = np.repeat(np.linspace(0.0, 1.0, NUM_COLUMNS), NUM_RINGS)
+        swept = [skewed_scan(k) for k in range(2 * NUM_SCANS)]
+        kind, drive, result = b"sensor_msgs/msg/PointCloud2", self.root / "swept.mcap", self.root / "straight.mcap"
+        drive.write_bytes(mcap([(b"/points", kind, [(stamp_ns(k), point_cloud2(True, k, points)) for k, points in enumerate(swept)])]))
+        for pose_at, share in (("middle", 0.5), ("end", 1.0)):
+            finished = run(drive, "--output", self.root / "swept", "--quiet", "--mcap", result, "--pose-at", pose_at)
+            self.assertEqual((finished.returncode, finished.stderr), (0, ""))
+            for k, (_, cloud) in list(enumerate(messages_of(result, "/points")))[NUM_SCANS:]:
+                found = np.frombuffer(cloud.data, "<f4").reshape(-1, 4)[:, :3]
+                now_from_world = np.linalg.inv(world_from_sensor(k + share - 0.5))
+                poses = np.array([now_from_world @ world_from_sensor(k + s - 0.5) for s in shares])
+                expected = np.einsum("nij,nj->ni", poses[:, :3, :3], swept[k][:, :3]) + poses[:, :3, 3]
+                error, before = (np.sqrt(np.mean((points - expected) ** 2)) for points in (found, swept[k][:, :3]))
+                self.assertLess(error, 0.1 * before, (pose_at, k))
 
     def test_aligned_clouds_become_a_recording(self):
         project, result = Path(sys.argv[2]), self.root / "pair.mcap"

@@ -104,12 +104,21 @@ void write_map(const fs::path& path, const MapArchive& map, const std::optional<
   }
 }
 
+// A scan as its pose has it. Its times are left out: who deskewed it again would bend it.
+CloudFile straight_scan(ScanReader& reader, const LidarInput& input, const FrameRow& row, PoseInstant pose_at) {
+  CloudFile file = reader.read(row.frame, read_options_for(input.point_times));
+  if (row.report.motion)
+    file.cloud = deskewed(file.cloud, shares_of(file, row.image, input.point_times), row.report, pose_at);
+  file.fields = {};
+  return file;
+}
+
 void write_mcap(const fs::path& path, const OdometryRun& run, const LidarInput& input,
-                const std::optional<MapArchive>& map) {
+                const std::optional<MapArchive>& map, PoseInstant pose_at) {
   ScanReader reader(input.sequence);
   const bool is_mapped = map && map->size() > 0;
   const Cloud all = is_mapped ? map->tiles(std::numeric_limits<double>::infinity()).begin()->second : Cloud{};
-  write_odometry_mcap(path, run, all, [&](const FrameRow& row) { return reader.read(row.frame, {}); });
+  write_odometry_mcap(path, run, all, [&](const FrameRow& row) { return straight_scan(reader, input, row, pose_at); });
 }
 
 OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::optional<MapArchive>* map) {
@@ -171,7 +180,7 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   require_readable(run, "scan");
   save(run, input.output);
   if (!arguments.map.empty() && map && map->size() > 0) write_map(arguments.map, *map, arguments.map_tile);
-  if (!arguments.mcap.empty()) write_mcap(arguments.mcap, run, input, map);
+  if (!arguments.mcap.empty()) write_mcap(arguments.mcap, run, input, map, options.pose_at);
   return run;
 }
 

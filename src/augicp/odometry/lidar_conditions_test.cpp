@@ -91,17 +91,20 @@ TEST(LidarConditions, StartingWhileTurning) {
 }
 
 // Root mean square of how far the points of the last sweep, straightened with the motion found, are from where the true
-// motion puts them.
-double straightening_error(const Drive& drive) {
+// motion puts them at that moment.
+double straightening_error(const Drive& drive, PoseInstant pose_at = PoseInstant::Middle) {
   const int last = drive.sweeps.back();
   const double begin_s = last * kSweep_s;
   const synthetic::Sweep sweep =
       synthetic::scan(drive.world, street_lidar(), drive.motion, static_cast<unsigned>(last + 1), begin_s);
-  const double middle_s = 0.5 * (sweep.times_s.front() + sweep.times_s.back());
-  const Cloud expected = synthetic::straightened(sweep, drive.motion, begin_s, middle_s);
+  const double first_s = sweep.times_s.front(), last_s = sweep.times_s.back();
+  const double moment_s = pose_at == PoseInstant::Begin ? first_s
+                          : pose_at == PoseInstant::End ? last_s
+                                                        : 0.5 * (first_s + last_s);
+  const Cloud expected = synthetic::straightened(sweep, drive.motion, begin_s, moment_s);
   const FrameReport report = tracked(drive).back();
   if (!report.motion) return std::numeric_limits<double>::infinity();
-  const Cloud straight = without_skew(sweep.cloud, shares_from_times(sweep.times_s), *report.motion, 1);
+  const Cloud straight = deskewed(sweep.cloud, shares_from_times(sweep.times_s), report, pose_at, 1);
   double sum_sq = 0.0;
   for (std::size_t i = 0; i < straight.size(); ++i)
     sum_sq += static_cast<double>((straight.points[i] - expected.points[i]).squaredNorm());
@@ -116,7 +119,8 @@ TEST(LidarConditions, SweepsOfFastTurnsAreStraightenedToACentimetre) {
            Rigid3{rotation_exp({0.0, 0.0, angle}), {radius * std::sin(angle), radius * (1.0 - std::cos(angle)), 0.0}};
   };
   const Motion along_a_line = from_start({rotation_exp({0.0, 0.0, 0.5 * std::numbers::pi}), {15.0, 0.0, 0.0}});
-  EXPECT_LT(straightening_error({street(), along_a_line, first(8), {}}), 0.01);
+  for (const PoseInstant pose_at : {PoseInstant::Begin, PoseInstant::Middle, PoseInstant::End})
+    EXPECT_LT(straightening_error({street(), along_a_line, first(8), {}}, pose_at), 0.01) << name_of(pose_at);
   EXPECT_LT(straightening_error({street(), on_an_arc, first(4), {}}), 0.01);
 }
 

@@ -44,6 +44,13 @@ double share_of(PoseInstant instant) {
 
 }  // namespace
 
+Cloud deskewed(const Cloud& scan, const SweepShares& shares, const FrameReport& report, PoseInstant pose_at,
+               int num_threads) {
+  if (!report.motion || shares.empty()) return scan;
+  const Cloud at_middle = without_skew(scan, shares, *report.motion, num_threads);
+  return transform(at_middle, inverse(report.motion->middle_from(share_of(pose_at))));
+}
+
 void LidarOptions::check() const {
   if (voxel_size) require_positive("voxel_size", *voxel_size);
   require_positive("keyframe_distance_voxels", keyframe_distance_voxels);

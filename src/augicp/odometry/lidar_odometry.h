@@ -193,4 +193,9 @@ class LidarOdometry {
   int segment_ = 0;
 };
 
+// A scan as seen at the moment to which its pose refers: deskewed with the motion of its report. As it came if the
+// report has none, and if there are no shares. Throws std::invalid_argument unless there is one share a point.
+Cloud deskewed(const Cloud& scan, const SweepShares& shares, const FrameReport& report, PoseInstant pose_at,
+               int num_threads = 0);
+
 }  // namespace augicp
