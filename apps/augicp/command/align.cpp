@@ -202,9 +202,9 @@ void add_align_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<AlignArguments>();
   CLI::App* command = app.add_subcommand("align", "Find the motion between two clouds or depth images");
   command
-      ->add_option(
-          "source,--source", arguments->source,
-          "The moving cloud: .ply .pcd .las .xyz .txt .csv .pts .npy .bin .stl .obj .glb, a depth image, or drive.mcap#12")
+      ->add_option("source,--source", arguments->source,
+                   "The moving cloud: .ply .pcd .las .xyz .txt .csv .pts .npy .bin .stl .obj .glb, a depth image, or "
+                   "drive.mcap#12")
       ->required();
   command->add_option("target,--target", arguments->target, "The fixed cloud")->required();
   add_input_options(*command, arguments->input);

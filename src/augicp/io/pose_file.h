@@ -21,9 +21,9 @@ struct PoseFile {
   bool has_stamps = true;  // false: 12 or 16 values a line; each stamp is then the number of its pose, from 0
 };
 
-// Values are separated by blanks or commas; '#' starts a comment, '%' and '//' a line of one. Throws IoError naming the line whose values are not
-// finite or not as many as in the first, whose pose is not rigid (see rigid3_from_matrix), or whose stamp is not above
-// the one before; also if there is no pose.
+// Values are separated by blanks or commas; '#' starts a comment, '%' and '//' a line of one. Throws IoError naming the
+// line whose values are not finite or not as many as in the first, whose pose is not rigid (see rigid3_from_matrix), or
+// whose stamp is not above the one before; also if there is no pose.
 PoseFile parse_poses(const FileBytes& file);
 PoseFile read_poses(const std::filesystem::path& path);
 
