@@ -109,10 +109,16 @@ def take(data, at, form):
     return struct.unpack_from(form, data, at)[0], at + size
 
 
+OTHER_AXES = [tuple(stem + axis for axis in "012") for stem in ("points:", "points_", "points_m_xyz:")]
+OTHER_AXES += [("easting", "northing", "elevation"), ("easting", "northing", "height")]
+
+
 def columns_of(names):
-    lower = [name.lower() for name in names]
-    require(all(lower.count(axis) == 1 for axis in "xyz"))
-    return [lower.index(axis) for axis in "xyz"]
+    lower = [re.sub(r"[\[(]m[\])]$", "", name.lower()).rstrip(" ") for name in names]
+    axes = next((axes for axes in OTHER_AXES if set(axes) <= set(lower)), "xyz")
+    axes = "xyz" if set(lower) & set("xyz") else axes
+    require(all(lower.count(axis) == 1 for axis in axes))
+    return [lower.index(axis) for axis in axes]
 
 
 # ---- PLY

@@ -61,9 +61,9 @@ std::vector<double> items_in(std::string_view rest) {
   while (const auto line = lines.next_not_blank()) {
     const std::string_view content = trimmed(*line);
     if (!content.starts_with('-')) break;
-    const std::vector<double> found = numbers_in(content.substr(1));
-    if (found.size() != 1) throw std::invalid_argument("camera: expected '- number', found " + in_quotes(content));
-    numbers.push_back(found.front());
+    const auto number = parse_double(trimmed(content.substr(1)));
+    if (!number) throw std::invalid_argument("camera: expected '- number', found " + in_quotes(content));
+    numbers.push_back(*number);
   }
   return numbers;
 }

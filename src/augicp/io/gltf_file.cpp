@@ -93,7 +93,11 @@ std::string gltf_buffer(const FileBytes& file, std::string_view uri) {
   const bool is_outside = name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
   if (is_outside || uri.empty() || uri.find(':') != std::string_view::npos)
     throw io_error(file.path, "expected the name of a buffer beside the file, found " + in_quotes(uri));
-  return read_bytes(file.path.parent_path() / name).bytes;
+  try {
+    return read_bytes(file.path.parent_path() / name).bytes;
+  } catch (const IoError& error) {
+    throw io_error(file.path, std::string("its buffer cannot be read: ") + error.what());
+  }
 }
 
 }  // namespace augicp

@@ -166,6 +166,8 @@ TEST(ReadGltf, DamageIsRefused) {
   expect_refused("a.gltf", json(R"("uri": "../secret.bin", )"), "beside the file");
   expect_refused("a.gltf", json(R"("uri": "https://a/b.bin", )"), "beside the file");
   expect_refused("a.gltf", json(R"("uri": "/etc/hostname", )"), "beside the file");
+  expect_refused("a.gltf", json(R"("uri": "missing.bin", )"),
+                 "a.gltf: its buffer cannot be read: missing.bin: no such file");
   expect_refused("a.gltf", json(""), "with a \"uri\"");
   std::string old = glb(json(""));
   old[4] = 1;
