@@ -84,6 +84,7 @@ def test_nobody_waits_for_a_long_stage(tmp_path):
     code = """
 import os, signal, sys, threading
 import augicp
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that starts this in the background leaves it ignored
 tasks = lambda: set(os.listdir("/proc/self/task"))
 def send():
     others = tasks()
