@@ -164,4 +164,5 @@ class WritingTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that starts this in the background leaves it ignored
     unittest.main(argv=sys.argv[:1])
