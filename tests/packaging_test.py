@@ -21,7 +21,7 @@ VERSION = (PROJECT / "VERSION").read_text(encoding="utf-8").strip()
 
 # What each recipe calls the libraries that the project's CMakeLists.txt finds.
 LIBRARY_NAMES = {"Eigen3": "eigen", "TBB": "tbb", "fmt": "fmt", "nlohmann_json": "nlohmann[-_]json", "liblzf": "lzf", "spng": "spng", "SQLite3": "sqlite",
-                 "lz4": "lz4", "zstd": "zstd", "BZip2": "bz(ip)?2"}
+                 "lz4": "lz4", "zstd": "zstd", "BZip2": "bz(ip)?2", "ZLIB": "zlib"}
 # package.xml is not among them: ROS has no names for liblzf and libspng.
 RECIPES = ("packaging/conan/conanfile.py", "packaging/conda/recipe.yaml", "packaging/debian/control", "packaging/homebrew/augicp.rb",
            "packaging/nix/default.nix", "packaging/vcpkg/augicp/vcpkg.json", "packaging/wheel/install-libraries", "scripts/install-dependencies")
