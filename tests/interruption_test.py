@@ -49,7 +49,11 @@ class Command:
 
     def ends_on(self, number):
         self.process.send_signal(number)
-        self.process.communicate(timeout=60)
+        try:
+            self.process.communicate(timeout=60)
+        except subprocess.TimeoutExpired:
+            self.process.kill()  # it would work for ever
+            raise
         return self.process.returncode
 
 
