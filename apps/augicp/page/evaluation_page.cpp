@@ -84,17 +84,21 @@ std::string rmse_text(const std::optional<PoseStatistics>& errors) {
 }
 
 std::string table_html(const std::vector<EvaluatedRun>& runs) {
+  std::vector<Heading> head{"estimate",
+                            {"poses compared", "Poses of the estimate with a true pose of the same moment."},
+                            {"ATE", "Root mean square of position and rotation errors, after the alignment."},
+                            {"RPE", "The same of the motions between two poses."}};
+  const bool has_own_frames =
+      std::none_of(runs.begin(), runs.end(), [](const EvaluatedRun& run) { return shares_frame(run.evaluation); });
+  if (!has_own_frames) head.push_back({"not aligned", "The same as ATE, without alignment, if both are in one frame."});
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [name, estimate, truth, evaluation] : runs)
+  for (const auto& [name, estimate, truth, evaluation] : runs) {
     rows.push_back({name, fmt::format("{} of {}", evaluation.num_matched, evaluation.num_estimate),
-                    rmse_text(evaluation.aligned), rmse_text(evaluation.relative),
-                    shares_frame(evaluation) ? rmse_text(evaluation.absolute) : "another frame"});
-  return html_table({"estimate",
-                     {"poses compared", "Poses of the estimate with a true pose of the same moment."},
-                     {"ATE", "Root mean square of position and rotation errors, after the alignment."},
-                     {"RPE", "The same of the motions between two poses."},
-                     {"not aligned", "The same as ATE, without alignment, if both are in one frame."}},
-                    rows);
+                    rmse_text(evaluation.aligned), rmse_text(evaluation.relative)});
+    if (!has_own_frames)
+      rows.back().push_back(shares_frame(evaluation) ? rmse_text(evaluation.absolute) : "another frame");
+  }
+  return html_table(head, rows);
 }
 
 Trajectory in_truth(const EvaluatedRun& run) {

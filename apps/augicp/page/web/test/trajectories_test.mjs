@@ -59,3 +59,14 @@ test("without a script the page has table, curves and the view from above", () =
   assert.match(text, /No 3D view/);
   assert.equal(await shown.locator("svg path.curve.s2").count() > 0, true);
 }));
+
+test("errors without alignment are a column only where an estimate is in the frame of the truth", async () => {
+  const headings = (shown) => shown.locator("th").allInnerTexts();
+  const elsewhere = report("elsewhere.html", ["evaluate", every, truth, "--beside", second, "--quiet"]);
+  await inPage(browser, page, {}, async (shown) => assert.ok((await headings(shown)).includes("not aligned")));
+  await inPage(browser, elsewhere, {}, async (shown) => {
+    assert.ok(!(await headings(shown)).includes("not aligned"));
+    const table = await shown.locator("table").first().evaluate((element) => [element.scrollWidth, element.parentElement.clientWidth]);
+    assert.ok(table[0] <= table[1], `${table}`);
+  });
+});
