@@ -91,7 +91,8 @@ std::string info_text(const nlohmann::ordered_json& info) {
   };
   const auto& lengths = info["derived_lengths"];
   return fmt::format(
-      "file     {}\nformat   {}\npoints   {} ({} declared, {} without a finite position)\nnormals  {}\ncolumns  {}\n"
+      "file     {}\nformat   {}\npoints   {} ({} declared, {} without a finite position within 1e18 m)\nnormals  {}\n"
+      "columns  {}\n"
       "min      {}\nmax      {}\norigin   {}\n"
       "lengths  extent {:.4g} m, ball radius {:.4g} m, voxel {:.4g} m, pair gate {:.4g} m (what align derives)\n",
       info["file"].get<std::string>(), info["format"].get<std::string>(), info["num_points"].get<std::uint64_t>(),

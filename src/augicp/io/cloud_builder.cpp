@@ -128,7 +128,9 @@ CloudFile build_cloud(const FileBytes& file, const PointTable& table,
   CloudFile built = build_any_cloud(table, decode_points);
   const std::uint64_t num_points = built.report.num_declared;
   if (num_points == 0) throw io_error(file.path, "holds no points");
-  if (built.cloud.empty()) throw io_error(file.path, fmt::format("none of its {} points is finite", num_points));
+  if (built.cloud.empty())
+    throw io_error(file.path,
+                   fmt::format("none of its {} points is finite and within {:g} m of zero", num_points, kFarthest));
   return built;
 }
 

@@ -123,7 +123,8 @@ TEST(ReadXyz, LinesThatAreNoPointAreErrors) {
       {"1;2;3\n1,234,567;2;3\n", "line 2: expected a number, found '1,234,567'"},
       {"name,x,y,z\na,1,2,3\n\"a, 8, 9, 0,1,2,3\n", "line 3: expected at least 4 values, found 1"},
       {"1,,3\n", "line 1: expected a number, found ''"},
-      {"nan nan nan\ninf 0 0\n1e308 0 0\n", "none of its 3 points is finite"},
+      {"nan nan nan\ninf 0 0\n1e308 0 0\n", "none of its 3 points is finite and within 1e+18 m"},
+      {"1e30 0 0\n0 -1e19 0\n", "none of its 2 points is finite and within 1e+18 m"},
       {std::string("1 2 3\n\0\0\0", 9), "byte 6: expected text, found a zero byte"}};
   for (const auto& [bytes, message] : cases) expect_refused("a.xyz", bytes, message);
 }
