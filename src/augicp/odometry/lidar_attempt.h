@@ -31,7 +31,7 @@ inline constexpr double kTypicalDistanceVoxels = 15.0;
 inline double typical_distance(double voxel_size) { return kTypicalDistanceVoxels * voxel_size; }
 
 // A motion between two scans predicts this many times its own time ahead: after longer gaps the sensor may as well have
-// stopped. After the second number of times it says nothing, neither of the sensor's place nor of its motion.
+// stopped. After the second number of times, a prediction that was wrong says nothing of the sensor's motion.
 inline constexpr double kTrustedSpans = 3.0;
 inline constexpr double kForgottenSpans = 10.0;
 

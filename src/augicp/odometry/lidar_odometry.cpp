@@ -198,11 +198,10 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
     report.problem = "a direct registration to a keyframe farther back contradicts";
   }
   if (attempt.gain_of_deskewing) gain_of_deskewing_ += *attempt.gain_of_deskewing, ++num_trials_;
-  const bool has_paused = is_after_pause(report.stamp_s);
-  if (!has_paused) {
-    const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
-    prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
-  }
+  const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
+  // A prediction across a pause that was right shows that the sensor goes on as it moved.
+  const bool has_paused = is_after_pause(report.stamp_s) && error > options_.gate_voxels * voxel_size_;
+  if (!has_paused) prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
   beyond_arc_ = beyond_arc(report.stamp_s, attempt.world_from_sensor);
   is_last_degenerate_ = report.status == FrameStatus::Degenerate;
   before_last_ = has_paused ? std::nullopt : last_;
