@@ -216,6 +216,22 @@ class Lidar(unittest.TestCase):
             self.assertTrue(refused.stderr)
             self.assertFalse((self.root / "refused").exists())
 
+    def test_memory_is_bounded_before_and_during_the_run(self):
+        output = self.root / "bounded"
+        tiny = ("--map-voxel", 0.05, "--point-times", "none", "--output", output)
+        refused = run(self.scans, *tiny, "--max-memory", 0.022)
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertRegex(refused.stderr, r"need about .* GB are allowed: use .*, or a larger --max-memory")
+        self.assertFalse(output.exists())
+        ended = run(self.scans, *tiny, "--max-memory", 0.05, "--map", self.root / "bounded.ply")
+        self.assertEqual(ended.returncode, 5, ended.stderr)
+        self.assertRegex(ended.stderr, r"ended before scan \d+: .*use --map-voxel 0\.\d+, or a larger --max-memory")
+        poses = len((output / "trajectory.txt").read_text().splitlines())
+        metrics = json.loads((output / "metrics.json").read_text())
+        self.assertEqual((metrics["num_frames"], metrics["num_poses"]), (poses, poses))
+        self.assertIn(f"before scan {poses}", metrics["ended_early"])
+        self.assertTrue((self.root / "bounded.ply").exists())
+
     def test_a_scan_that_cannot_be_read_does_not_end_the_run(self):
         broken = self.root / "broken"
         broken.mkdir(exist_ok=True)

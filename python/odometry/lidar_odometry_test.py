@@ -112,3 +112,10 @@ def test_options_of_lidar_odometry():
     for options in ({"max_lost": 0}, {"voxel_size": -1.0}, {"pose_at": "noon"}):
         with pytest.raises(augicp.ArgumentError):
             augicp.LidarOdometry(**options)
+
+
+def test_a_scan_beyond_the_memory_is_refused_with_advice(scans):
+    odometry = augicp.LidarOdometry(voxel_size=0.05, max_memory_gb=0.03)
+    with pytest.raises(augicp.ArgumentError, match="use voxel_size [0-9.]+, or a larger max_memory_gb"):
+        odometry.add(scans[0])
+    assert odometry.last_frame is None

@@ -121,6 +121,15 @@ void write_mcap(const fs::path& path, const OdometryRun& run, const LidarInput& 
   write_odometry_mcap(path, run, all, [&](const FrameRow& row) { return straight_scan(reader, input, row, pose_at); });
 }
 
+// Throws TooMuchMemory if the map that is to be written leaves no room.
+void require_room(const MapArchive& map, const LidarOdometry& odometry, const std::optional<double>& max_memory_gb) {
+  const double needed_gb = map.memory_gb() + odometry.memory_gb(), max_gb = allowed_gb(max_memory_gb);
+  if (needed_gb <= max_gb) return;
+  throw TooMuchMemory(fmt::format("the map of {} points and the odometry need about {:.2g} GB; {:.2g} GB are allowed",
+                                  map.size(), needed_gb, max_gb),
+                      {2.0 * odometry.voxel_size(), {}, {}});
+}
+
 OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::optional<MapArchive>* map) {
   OdometryRun run{input.name, input.sequence.layout, {}, 0.0, {}, {}};
   run.point_times = input.point_times.in_words;
@@ -131,7 +140,15 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::o
   ScanReader reader(input.sequence);
   for (const std::size_t frame : input.chosen) {
     FrameRow row{frame, input.sequence.scans[frame].path, {}, 0.0};
-    row.report = report_on(odometry, reader, input, run.rows.size(), segment);
+    try {
+      if (map && *map) require_room(**map, odometry, input.max_memory_gb);
+      row.report = report_on(odometry, reader, input, run.rows.size(), segment);
+    } catch (const TooMuchMemory& error) {
+      if (run.rows.empty()) throw;  // nothing is done yet
+      run.ended_early = fmt::format("ended before scan {}: {}", frame, error.message(kMemoryOptions));
+      if (map) update(*map, odometry, run.rows.back().report, true);
+      break;
+    }
     segment = row.report.segment;
     if (map) update(*map, odometry, row.report, frame == input.chosen.back());
     row.time_ms = all.elapsed_ms() - run.total_ms;

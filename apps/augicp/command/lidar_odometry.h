@@ -37,11 +37,13 @@ struct LidarInput {
   // Called with each scan that could be read; may be empty.
   std::function<void(std::size_t row, const FrameReport& report, const Cloud& scan)> on_scan{};
   Progress progress = Progress::Auto;
+  std::optional<double> max_memory_gb{};  // with the map that is written; see LidarOptions
 };
 
 // Tracks a LiDAR through a sequence of scans and writes trajectory.txt, poses_kitti.txt, frames.csv, covariances.csv
-// and metrics.json, every few seconds and at the end, so that an interrupted run keeps them. Throws IoError if no scan
-// can be used, and std::invalid_argument.
+// and metrics.json, every few seconds and at the end, so that an interrupted run keeps them. A run
+// whose memory does not suffice ends early, and keeps them as well. Throws TooMuchMemory for the first scan, IoError if
+// no scan can be used, and std::invalid_argument.
 OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& arguments);
 
 }  // namespace augicp::app

@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   } catch (const augicp::IoError& error) {
     return fail(error.what(), kInvalidInput);
   } catch (const augicp::TooMuchMemory& error) {
-    return fail(error.message("--voxel-size", "--radius", "--max-memory").c_str(), kUsage);
+    return fail(error.message({"--voxel-size", "--radius", "--max-memory"}).c_str(), kUsage);
   } catch (const std::invalid_argument& error) {
     return fail(error.what(), kUsage);
   } catch (const std::exception& error) {

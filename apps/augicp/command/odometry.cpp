@@ -128,6 +128,7 @@ void write_page(const OdometryArguments& arguments, const OdometryPicture& pictu
 // in_folder: the folder and the files in it.
 void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, const std::string& in_folder) {
   if (arguments.json == "-") write_json("-", metrics_json(run));
+  if (!run.ended_early.empty()) fmt::print(stderr, "augicp: {}\n", run.ended_early);
   const std::string files = written_text({in_folder, arguments.lidar.map, arguments.mcap}, arguments.page);
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}output     {}\n", summary_text(run), files);
 }
@@ -184,6 +185,7 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::
   LidarArguments lidar = arguments.lidar;
   lidar.mcap = arguments.mcap;
   lidar.odometry.num_threads = arguments.odometry.registration.num_threads;
+  input.max_memory_gb = lidar.odometry.max_memory_gb = arguments.odometry.registration.max_memory_gb;
   std::vector<KeptModel> scans;
   const std::vector<std::uint32_t> kept = kept_rows(arguments.page.empty() ? 0 : input.chosen.size());
   input.on_scan = [&](std::size_t row, const FrameReport& report, const Cloud& scan) {
@@ -237,6 +239,15 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   return exit_code_for(run);
 }
 
+// The library's message on memory in the command's words.
+int run_in_own_words(const OdometryArguments& arguments, CLI::App& command) {
+  try {
+    return run_odometry(arguments, command);
+  } catch (const TooMuchMemory& error) {
+    throw std::invalid_argument(error.message(kMemoryOptions));
+  }
+}
+
 }  // namespace
 
 void add_odometry_command(CLI::App& app, int& exit_code) {
@@ -252,7 +263,7 @@ void add_odometry_command(CLI::App& app, int& exit_code) {
       "  augicp odometry drive.mcap --topic /lidar/points --map map.ply\n"
       "  augicp odometry chess/seq-01 --last 500\n"
       "  augicp odometry my_images --camera \"615 615 320 240\" --depth-scale 1000 --rate 15");
-  command->callback([arguments, command, &exit_code] { exit_code = run_odometry(*arguments, *command); });
+  command->callback([arguments, command, &exit_code] { exit_code = run_in_own_words(*arguments, *command); });
 }
 
 }  // namespace augicp::app

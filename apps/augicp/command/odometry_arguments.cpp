@@ -46,7 +46,7 @@ void add_sequence_options(CLI::App& command, OdometryArguments& arguments) {
 void add_method_options(CLI::App& command, OdometryOptions& options) {
   add_options(command, options,
               {"reference", "pixel_step", "min_depth", "max_depth", "min_overlap", "keyframe_overlap", "max_strain",
-               "max_lost", "max_extrapolation_s", "method", "max_iterations", "threads"});
+               "max_lost", "max_extrapolation_s", "method", "max_iterations", "threads", "max_memory_gb"});
 }
 
 void add_output_options(CLI::App& command, OdometryArguments& arguments) {

@@ -45,7 +45,7 @@ void require_readable(const OdometryRun& run, const std::string& what) {
 ExitCode exit_code_for(const OdometryRun& run) {
   const Trajectory trajectory = trajectory_of(run);
   if (trajectory.empty() || (trajectory.size() == 1 && run.rows.size() > 1)) return kRegistrationFailed;
-  return num_segments(run) > 1 || !mostly_tracked(run) ? kDoubtful : kSuccess;
+  return num_segments(run) > 1 || !mostly_tracked(run) || !run.ended_early.empty() ? kDoubtful : kSuccess;
 }
 
 }  // namespace augicp::app

@@ -7,8 +7,12 @@
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/text/odometry.h"
+#include "augicp/registration/memory.h"
 
 namespace augicp::app {
+
+// The options that change the memory of an odometry.
+inline constexpr MemoryOptionNames kMemoryOptions{"--map-voxel", "--radius", "--max-memory", "--pixel-step"};
 
 // The folder of the results: `output`, or the name of the sequence and "_odometry" if that is empty. It is made if
 // missing, and results of another run are removed from it. If an exception ends its scope, a folder that was made is

@@ -128,6 +128,7 @@ nlohmann::ordered_json metrics_json(const OdometryRun& run) {
   json["timing_ms"] = {{"total", run.total_ms}, {"median_frame", median_time_ms(run)}};
   json["frames_per_s"] = frames_per_s(run);
   if (run.evaluation) json["evaluation"] = evaluation_json(*run.evaluation);
+  if (!run.ended_early.empty()) json["ended_early"] = run.ended_early;
   if (!run.evaluation_problem.empty()) json["evaluation_problem"] = run.evaluation_problem;
   json["version"] = AUGICP_VERSION;
   return json;

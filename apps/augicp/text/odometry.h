@@ -27,6 +27,7 @@ struct OdometryRun {
   std::optional<Evaluation> evaluation;
   std::string evaluation_problem;  // why there is no evaluation although a truth was given
   std::string point_times = {};    // of a LiDAR: how the times of its points are known; else empty
+  std::string ended_early = {};    // why frames at the end were left out; else empty
 };
 
 // The frames that have a pose.

@@ -20,9 +20,6 @@ namespace {
 constexpr double kCellsPerVoxel = 4.0;
 constexpr double kSourceCellsPerVoxel = 2.0;
 
-// No LiDAR measures farther: 26 km with the smallest voxels. The cells of what is nearer have keys of 21 bits an axis.
-constexpr double kReachVoxels = 1 << 17;
-
 // Before any motion is known, the gate is this wide, voxels: a car moves by some metres between two scans.
 constexpr double kFirstGate = 4.0;
 constexpr double kMaxGate = 8.0;

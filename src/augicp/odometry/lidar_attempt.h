@@ -26,6 +26,9 @@ struct LidarOdometry::Start {
   double gate_voxels;
 };
 
+// No LiDAR measures farther: 26 km with the smallest voxels. The cells of what is nearer have keys of 21 bits an axis.
+inline constexpr double kReachVoxels = 1 << 17;
+
 // The distance of a typical point, voxels: a rotation counts as what it moves a point there.
 inline constexpr double kTypicalDistanceVoxels = 15.0;
 inline double typical_distance(double voxel_size) { return kTypicalDistanceVoxels * voxel_size; }

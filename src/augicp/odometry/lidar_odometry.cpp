@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/check.h"
 #include "augicp/odometry/lidar_attempt.h"
 #include "augicp/odometry/seen_through.h"
+#include "augicp/registration/far_outliers.h"
 #include "augicp/registration/registration.h"
 #include "augicp/shutter/rolling_shutter.h"
 #include "augicp/trust/covariance.h"
@@ -64,6 +66,7 @@ void LidarOptions::check() const {
   require(check_every >= 0, "check_every", check_every, "must be at least 0 (0: never)");
   require_positive("check_distance_voxels", check_distance_voxels);
   require(max_lost >= 1, "max_lost", max_lost, "must be at least 1");
+  if (max_memory_gb) require(*max_memory_gb > 0.0, "max_memory_gb", *max_memory_gb, "must be above 0");
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }
 
@@ -140,6 +143,23 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   last_ = StampedPose{report.stamp_s, report.world_from_camera};
 }
 
+LidarMemory LidarOdometry::memory_for(std::size_t num_points) const {
+  const std::size_t num_added = num_points > 0 ? num_voxels_of_scan_ : 0;
+  return {num_points, num_voxels() + num_added, self_check_.num_points()};
+}
+
+void LidarOdometry::require_memory_for(const Cloud& scan) {
+  const auto near = [&] {
+    Cloud cloud = scan;
+    drop_far_outliers(cloud, kReachVoxels * voxel_size_);
+    return cloud;
+  };
+  if (num_voxels_of_scan_ == 0) num_voxels_of_scan_ = downsample(near(), voxel_size_).size();
+  const LidarMemory needed = memory_for(scan.size());
+  const double max_gb = allowed_gb(options_.max_memory_gb);
+  if (needed.gb() > max_gb) require_memory(needed, near(), voxel_size_, max_gb);
+}
+
 FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const SweepShares& shares) {
   FrameReport report;
   report.stamp_s = stamp_s;
@@ -151,6 +171,7 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
                      " in more than one place are needed";
     return report;
   }
+  require_memory_for(scan);
   if (!map_ || num_lost_ >= options_.max_lost) {
     num_lost_ = 0;
     start_segment(scan, shares, report);
@@ -250,6 +271,7 @@ FrameReport LidarOdometry::added(double stamp_s, const Cloud& scan, const SweepS
     return report;
   } catch (...) {
     shortest_gap_s_ = before;
+    if (!map_) voxel_size_ = 0.0, num_voxels_of_scan_ = 0;
     throw;
   }
 }

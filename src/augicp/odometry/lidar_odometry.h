@@ -11,6 +11,7 @@
 #include "augicp/geometry/trajectory.h"
 #include "augicp/match/matcher.h"
 #include "augicp/objective/information.h"
+#include "augicp/odometry/lidar_memory.h"
 #include "augicp/odometry/odometry.h"
 #include "augicp/odometry/self_check.h"
 #include "augicp/odometry/surface_map.h"
@@ -83,6 +84,10 @@ struct LidarOptions {
   // After this number of lost or doubtful scans in a row, the next one starts a new segment of the trajectory.
   int max_lost = 10;
 
+  // 10^9 bytes. A scan is refused before any work if it and the map are expected to need more, see require_memory().
+  // Not set: half of the machine's memory. Infinity: no bound.
+  std::optional<double> max_memory_gb;
+
   LidarParts parts;
 
   bool covariance = false;  // see FrameReport; takes about a tenth of the time
@@ -93,8 +98,8 @@ struct LidarOptions {
   void check() const;
 };
 
-// Tracks one LiDAR. Memory is bounded by the reach
-// of the map. Not for concurrent use; independent objects may be used concurrently.
+// Tracks one LiDAR. Memory is bounded by the reach of the map, and by LidarOptions::max_memory_gb. Not for concurrent
+// use; independent objects may be used concurrently.
 class LidarOdometry {
  public:
   // Throws std::invalid_argument for options out of range.
@@ -103,8 +108,8 @@ class LidarOdometry {
   // The next scan, in the sensor's frame. shares: see shares_from_times() and shares_from_order(); empty: all points at
   // one moment. Never throws for what scans or stamps are like: a scan that cannot be placed gets a status and no pose,
   // and the next one is tried again. Throws std::invalid_argument for shares that are neither empty nor one a point,
-  // and Interrupted after a request to
-  // stop or options.stop; everything then is as before the call.
+  // TooMuchMemory beyond options.max_memory_gb, and Interrupted after a request to stop or options.stop; everything
+  // then is as before the call.
   FrameReport add(double stamp_s, const Cloud& scan, const SweepShares& shares = {}, const std::stop_token& stop = {});
 
   // The surfaces of the map, in the frame of the first scan.
@@ -112,6 +117,9 @@ class LidarOdometry {
 
   // The size of the map. It is bounded by the reach, and does not grow with the number of scans.
   std::size_t num_voxels() const { return map_ ? map_->num_voxels() : 0; }
+
+  // What is kept, 10^9 bytes: an estimate.
+  double memory_gb() const { return memory_for(0).gb(); }
 
   // How far around the sensor the map reaches, metres; 0 before the first scan.
   double reach() const { return options_.reach_voxels * voxel_size_; }
@@ -138,6 +146,8 @@ class LidarOdometry {
     Vec3d linear = Vec3d::Zero(), angular = Vec3d::Zero();
   };
 
+  LidarMemory memory_for(std::size_t num_points) const;
+  void require_memory_for(const Cloud& scan);
   double spans_since_last(double stamp_s) const;
   bool is_after_pause(double stamp_s) const;
   Rigid3 predicted(double stamp_s) const;
@@ -173,6 +183,7 @@ class LidarOdometry {
 
   LidarOptions options_;
   double voxel_size_ = 0.0;
+  std::size_t num_voxels_of_scan_ = 0;  // of the first one: what a scan may add to the map
   std::optional<SurfaceMap> map_;
   std::shared_ptr<const Cloud> surfaces_;
   std::shared_ptr<const Matcher> matcher_;

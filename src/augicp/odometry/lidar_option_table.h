@@ -40,6 +40,9 @@ void for_each_option(Options& options, const Visit& visit) {
         options.check_distance_voxels);
   visit({"max_lost", None, kGroup, "A new segment starts after this number of lost or doubtful scans in a row"},
         options.max_lost);
+  visit({"max_memory_gb", Gigabytes, kGroup, "Scans whose map would need more memory are refused beforehand",
+         "half of the machine's"},
+        options.max_memory_gb);
   visit({"covariance", None, kGroup, "Each tracked scan has the covariance of its pose"}, options.covariance);
   visit({"threads", None, kGroup, "Number of threads; 0: all"}, options.num_threads);
 }

@@ -28,6 +28,9 @@ class MapArchive {
 
   std::size_t size() const { return points_.size(); }
 
+  // 10^9 bytes, with the copy that tiles() makes: an estimate.
+  double memory_gb() const;
+
   // The map in tiles with edges of this length in x and y, metres, whose corner is a multiple of it: by the number of
   // the tile along each axis. Infinity: one tile. Each cloud's origin is its tile's corner; that of one tile is zero.
   std::map<std::array<int, 2>, Cloud> tiles(double edge) const;

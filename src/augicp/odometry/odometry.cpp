@@ -7,6 +7,7 @@
 
 #include "augicp/core/check.h"
 #include "augicp/core/stop.h"
+#include "augicp/odometry/depth_memory.h"
 #include "augicp/shutter/rolling_shutter.h"
 
 namespace augicp {
@@ -93,6 +94,9 @@ void OdometryOptions::check() const {
 
 Scan prepare_frame(const DepthImage& image, const DepthCamera& camera, const OdometryOptions& options) {
   const int step = options.pixel_step > 0 ? options.pixel_step : std::max(1, image.width / kUsualColumns);
+  const Pinhole& pinhole = camera.pinhole;
+  const bool has_its_size = pinhole.width == 0 || (pinhole.width == image.width && pinhole.height == image.height);
+  if (has_its_size) require_memory(image.width, image.height, step, options);  // else scan_of() refuses it
   Scan scan = scan_of(image, camera, step, options.range);
   const Lengths lengths = tracking_lengths(scan, scan, options.registration);
   return prepare(std::move(scan), lengths, options.registration);

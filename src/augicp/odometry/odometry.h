@@ -56,7 +56,8 @@ struct OdometryOptions {
   void check() const;
 };
 
-// The extended points of a frame. Throws std::invalid_argument where the image is not of the camera's size.
+// The extended points of a frame. Throws std::invalid_argument where the image is not of the camera's size, and
+// TooMuchMemory beyond options.registration.max_memory_gb.
 Scan prepare_frame(const DepthImage& image, const DepthCamera& camera, const OdometryOptions& options);
 
 // Tracks one camera. Its memory does not grow with the number of frames. Not for concurrent use; independent objects

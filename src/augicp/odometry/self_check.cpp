@@ -89,6 +89,12 @@ void SelfCheck::remember(double stamp_s, const Cloud& scan, const Rigid3& world_
   if (keyframes_.size() > kMaxKeyframes) keyframes_.pop_front();
 }
 
+std::size_t SelfCheck::num_points() const {
+  std::size_t count = 0;
+  for (const auto& keyframe : keyframes_) count += keyframe->surfaces.size();
+  return count;
+}
+
 // The last one that is far enough back, or the oldest.
 const SelfCheck::Keyframe* SelfCheck::chosen(const Vec3d& place_in_world, double distance) const {
   for (auto keyframe = keyframes_.rbegin(); keyframe != keyframes_.rend(); ++keyframe)

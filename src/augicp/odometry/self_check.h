@@ -37,6 +37,9 @@ class SelfCheck {
   void remember(double stamp_s, const Cloud& scan, const Rigid3& world_from_sensor,
                 const std::optional<Mat6d>& covariance, double min_distance);
 
+  // Points of all keyframes.
+  std::size_t num_points() const;
+
   // Forgets all keyframes.
   void clear() { keyframes_.clear(); }
 

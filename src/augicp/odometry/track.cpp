@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "augicp/core/stop.h"
+#include "augicp/registration/memory.h"
 
 namespace augicp {
 namespace {
@@ -27,6 +28,8 @@ std::optional<PreparedFrame> next_prepared(FrameSource& source, const DepthCamer
   if (!prepared.problem.empty()) return prepared;
   try {
     prepared.scan = prepare_frame(frame->image, camera, options);
+  } catch (const TooMuchMemory&) {
+    throw;  // of every frame
   } catch (const std::invalid_argument& error) {
     prepared.problem = error.what();
   }

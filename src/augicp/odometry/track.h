@@ -10,8 +10,8 @@
 namespace augicp {
 
 // Calls on_frame, in the calling thread, with the report of every frame in order; bit-identical for any number of
-// threads. An image whose size is not the camera's makes its frame Unreadable. Throws Interrupted after a request to
-// options.registration.stop, once all its threads have ended.
+// threads. An image whose size is not the camera's makes its frame Unreadable. Throws TooMuchMemory, and Interrupted
+// after a request to options.registration.stop, once all its threads have ended.
 void track(FrameSource& source, const DepthCamera& camera, const OdometryOptions& options,
            const std::function<void(const FrameReport&)>& on_frame);
 

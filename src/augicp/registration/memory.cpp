@@ -79,13 +79,6 @@ Need need_with(const Scans& scans, double voxel_size, double radius, bool is_coa
   return need;
 }
 
-double allowed_gb(const RegistrationOptions& options) {
-  if (options.max_memory_gb) return *options.max_memory_gb;
-  const long num_pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-  if (num_pages <= 0 || page <= 0) return std::numeric_limits<double>::infinity();
-  return kShareOfMachine * static_cast<double>(num_pages) * static_cast<double>(page) / kBytesPerGb;
-}
-
 // To two digits, for people. direction: std::ceil or std::floor.
 double two_digits(double value, double (*direction)(double)) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
@@ -137,31 +130,37 @@ std::string need_text(const Need& need, const Lengths& lengths, double max_gb) {
          std::to_string(max_neighbours(1 << 20) >> 20) + " points in a ball are allowed";
 }
 
-std::string message_of(const std::string& need, const EnoughMemory& enough, std::string_view voxel_size,
-                       std::string_view radius, std::string_view max_memory) {
+std::string message_of(const std::string& need, const EnoughMemory& enough, const MemoryOptionNames& names) {
   std::string advice;
-  if (enough.voxel_size) advice = std::string(voxel_size) + " " + in_digits(*enough.voxel_size, 2);
-  if (enough.radius)
-    advice += (advice.empty() ? "" : " or ") + std::string(radius) + " " + in_digits(*enough.radius, 2);
-  if (advice.empty()) return need + ": use larger lengths, fewer points, or a larger " + std::string(max_memory);
-  return need + ": use " + advice + ", or a larger " + std::string(max_memory);
+  const auto add = [&](std::string_view name, const std::string& value) {
+    advice += (advice.empty() ? "" : " or ") + std::string(name) + " " + value;
+  };
+  if (enough.voxel_size) add(names.voxel_size, in_digits(*enough.voxel_size, 2));
+  if (enough.radius) add(names.radius, in_digits(*enough.radius, 2));
+  if (enough.pixel_step) add(names.pixel_step, std::to_string(*enough.pixel_step));
+  if (advice.empty()) advice = "larger lengths, fewer points";
+  return need + ": use " + advice + ", or a larger " + std::string(names.max_memory);
 }
 
 }  // namespace
 
 TooMuchMemory::TooMuchMemory(const std::string& need, const EnoughMemory& enough)
-    : std::invalid_argument(message_of(need, enough, "voxel_size", "radius", "max_memory_gb")),
+    : std::invalid_argument(message_of(need, enough, {"voxel_size", "radius", "max_memory_gb"})),
       need_(need),
       enough_(enough) {}
 
-std::string TooMuchMemory::message(std::string_view voxel_size, std::string_view radius,
-                                   std::string_view max_memory) const {
-  return message_of(need_, enough_, voxel_size, radius, max_memory);
+std::string TooMuchMemory::message(const MemoryOptionNames& names) const { return message_of(need_, enough_, names); }
+
+double allowed_gb(const std::optional<double>& max_memory_gb) {
+  if (max_memory_gb) return *max_memory_gb;
+  const long num_pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+  if (num_pages <= 0 || page <= 0) return std::numeric_limits<double>::infinity();
+  return kShareOfMachine * static_cast<double>(num_pages) * static_cast<double>(page) / kBytesPerGb;
 }
 
 void require_memory(const std::vector<const ThinnedScan*>& scans, const Lengths& lengths,
                     const RegistrationOptions& options) {
-  const double max_gb = allowed_gb(options);
+  const double max_gb = allowed_gb(options.max_memory_gb);
   const Need need = need_of(scans, lengths.radius);
   if (need.share_of(max_gb) <= 1.0) return;
   throw TooMuchMemory(need_text(need, lengths, max_gb),

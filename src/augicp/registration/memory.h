@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory that surface estimation needs, known before it begins.
+// The memory that surface estimation needs, known before it begins; and the bound on memory, for odometry too.
 #pragma once
 
 #include <cstddef>
@@ -22,23 +22,32 @@ struct ThinnedScan {
   std::optional<CellGrid> grid;
 };
 
-// What would be enough: one of the two. Metres; not set: that one alone is not enough.
+// What would be enough: one of these. Metres; not set: that one alone is not enough, or does not apply.
 struct EnoughMemory {
-  std::optional<double> voxel_size, radius;
+  std::optional<double> voxel_size{}, radius{};
+  std::optional<int> pixel_step{};  // of the images of a depth camera
 };
 
-// The clouds need more memory than is allowed. what() is in the words of the library's options.
+// The names of the options that can be changed, for instance "--voxel-size".
+struct MemoryOptionNames {
+  std::string_view voxel_size, radius, max_memory, pixel_step = "pixel_step";
+};
+
+// The inputs need more memory than is allowed. what() is in the words of the library's options.
 class TooMuchMemory : public std::invalid_argument {
  public:
   TooMuchMemory(const std::string& need, const EnoughMemory& enough);
 
-  // The message with other names for the options, for instance "--voxel-size".
-  std::string message(std::string_view voxel_size, std::string_view radius, std::string_view max_memory) const;
+  // The message with other names for the options.
+  std::string message(const MemoryOptionNames& names) const;
 
  private:
   std::string need_;
   EnoughMemory enough_;
 };
+
+// The bound of an option max_memory_gb: half of the machine's memory if it is not set.
+double allowed_gb(const std::optional<double>& max_memory_gb);
 
 // Throws TooMuchMemory if the surfaces of these scans, estimated at the same time, are expected to need more memory
 // than the options allow, or if a ball would contain more points than BallNeighbourhood takes. Lengths, metres, are

@@ -107,7 +107,7 @@ TEST(Memory, OfDepthImagesAndKnownDirectionsIsNotAsked) {
 TEST(Memory, TheMessageTakesTheNamesOfTheCommand) {
   const TooMuchMemory error("much", {0.5, std::nullopt});
   EXPECT_STREQ(error.what(), "much: use voxel_size 0.5, or a larger max_memory_gb");
-  EXPECT_EQ(error.message("--voxel-size", "--radius", "--max-memory"),
+  EXPECT_EQ(error.message({"--voxel-size", "--radius", "--max-memory"}),
             "much: use --voxel-size 0.5, or a larger --max-memory");
 }
 
