@@ -24,8 +24,8 @@ constexpr double kMaxStrainOfRival = 2.0;
 constexpr double kMaxDoubtfulInformation = 0.01;
 
 // The normals of images are even: they cannot feign more information than this many times the square of the angle by
-// which paired ones differ (0.3 to 1.2 in corridors with one to three times a Kinect's noise).
-constexpr double kFeignedPerNoise = 1.5;
+// which paired ones differ (0.3 to 1.6 in corridors with one to three times a Kinect's noise).
+constexpr double kFeignedPerNoise = 3.0;
 
 // Newton steps back to the guess along the free motions. Beside a rotation of nearly half a turn there may be no way
 // back.

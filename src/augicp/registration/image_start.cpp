@@ -23,6 +23,10 @@ struct Start {
   Turn turn;
 };
 
+// Corridors seen by depth cameras have 0.0003 to 0.0008 along their axis, right pairs of fr1/desk 0.004 and more. With
+// so little the search may take a start along the axis for a better one.
+constexpr double kHardlyHeld = 1e-3;
+
 // What the loop at full resolution would do, on coarse scans. Absent where they leave a part of the pose free: what no
 // data constrain stays at the guess, which only the last loop can do, so that no step before it may move it.
 std::optional<AlignResult> align_coarse(const ScanPair& coarse, const Rigid3& start,
@@ -92,6 +96,11 @@ AlignResult from_guess_of_images(const ScanPair& pair, const Rigid3& guess, cons
   const Rigid3 start = options.search ? searched(pair, guess, options).front() : guess;
   const bool begins_coarse = options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
   AlignResult found = from_start_of_images(pair, {start}, guess, options);
+  if (start.matrix() != guess.matrix() && is_supported(found) && found.observability.weakest() < kHardlyHeld) {
+    AlignResult stays = from_start_of_images(pair, {guess}, guess, options);
+    const bool is_free = stays.status == AlignStatus::Degenerate && is_supported(stays);
+    return is_free || is_better(stays, found) ? stays : found;
+  }
   const bool was_the_guess = !bends(pair, options) && !begins_coarse && start.matrix() == guess.matrix();
   if (is_supported(found) || was_the_guess) return found;
   AlignResult from_guess = at_full_resolution(pair, {guess, guess, {}, {}}, options);

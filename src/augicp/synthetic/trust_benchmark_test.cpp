@@ -160,6 +160,11 @@ TEST(TrustBenchmark, CorridorsSeenByNoisyCamerasNeverConverge) {
   EXPECT_LT(row.largest_move, 1e-3);
 }
 
+// There a search may find a start along the corridor that agrees a little better by chance. Few columns: it is quick.
+TEST(TrustBenchmark, ASearchDoesNotLeaveTheGuessAlongACorridor) {
+  EXPECT_EQ(row_of_family("image corridor", {21014}).wrong_converged, 0U);
+}
+
 TEST(TrustBenchmark, WhatShapesConstrainConverges) {
   for (const char* name : {"lidar street", "flat outlines"}) {
     const TrustRow row = row_of_family(name, {2, 4, 6});
