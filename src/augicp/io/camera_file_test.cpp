@@ -132,6 +132,13 @@ TEST(CameraFile, AnUnknownNameListsTheKnownOnes) {
   }
 }
 
+// robustness 1
+TEST(CameraFile, DeepJsonIsRefused) {
+  constexpr std::size_t kDeep = 400000;
+  const std::string lists = std::string(kDeep, '[') + std::string(kDeep, ']');
+  EXPECT_THAT(refusal(R"({"intrinsic": {"a": )" + lists + "}}"), ::testing::HasSubstr("less deep than"));
+}
+
 TEST(CameraFile, WhatIsNoCameraIsRefused) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "found 0 numbers"},

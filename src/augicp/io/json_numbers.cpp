@@ -9,8 +9,15 @@
 namespace augicp {
 namespace {
 
+// Lists within lists are written one within the other: too deep ones would overflow the stack.
 nlohmann::json object_in(std::string_view what, std::string_view text) {
-  nlohmann::json json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  constexpr int kDeepest = 32;
+  const auto check_depth = [&](int depth, nlohmann::json::parse_event_t, const nlohmann::json&) {
+    if (depth > kDeepest)
+      throw std::invalid_argument(fmt::format("{}: expected JSON less deep than {}", what, kDeepest));
+    return true;
+  };
+  nlohmann::json json = nlohmann::json::parse(text, check_depth, /*allow_exceptions=*/false);
   const bool has_zero = text.find('\0') != std::string_view::npos;  // the parser would take it for the end
   if (has_zero || !json.is_object()) throw std::invalid_argument(fmt::format("{}: the JSON is damaged", what));
   return json;
