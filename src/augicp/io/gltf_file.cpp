@@ -81,23 +81,21 @@ GltfText gltf_text(const FileBytes& file) {
   return {file.bytes, std::nullopt};
 }
 
-std::string gltf_buffer(const FileBytes& file, std::string_view uri) {
+std::optional<std::string> gltf_data(const FileBytes& file, std::string_view uri) {
   constexpr std::string_view kMark = ";base64,";
-  if (uri.starts_with("data:")) {
-    const std::size_t at = uri.find(kMark);
-    auto bytes = at == std::string_view::npos ? std::nullopt : from_base64(uri.substr(at + kMark.size()));
-    if (!bytes) throw io_error(file.path, "expected a buffer in base64, found " + in_quotes(uri));
-    return std::move(*bytes);
-  }
+  if (!uri.starts_with("data:")) return std::nullopt;
+  const std::size_t at = uri.find(kMark);
+  auto bytes = at == std::string_view::npos ? std::nullopt : from_base64(uri.substr(at + kMark.size()));
+  if (!bytes) throw io_error(file.path, "expected a buffer in base64, found " + in_quotes(uri));
+  return bytes;
+}
+
+std::filesystem::path gltf_buffer_path(const FileBytes& file, std::string_view uri) {
   const std::filesystem::path name = percent_decoded(uri);
   const bool is_outside = name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end();
   if (is_outside || uri.empty() || uri.find(':') != std::string_view::npos)
     throw io_error(file.path, "expected the name of a buffer beside the file, found " + in_quotes(uri));
-  try {
-    return read_bytes(file.path.parent_path() / name).bytes;
-  } catch (const IoError& error) {
-    throw io_error(file.path, std::string("its buffer cannot be read: ") + error.what());
-  }
+  return (file.path.parent_path() / name).lexically_normal();
 }
 
 }  // namespace augicp

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,7 +41,7 @@ struct GltfPart {
 };
 
 struct GltfScene {
-  std::vector<std::string> buffers;  // what the parts look at
+  std::vector<std::shared_ptr<const std::string>> buffers;  // what the parts look at
   std::vector<GltfPart> parts;
   std::vector<std::string> warnings;
 };
@@ -58,7 +60,10 @@ struct GltfText {
 // By the mark of the file. Throws IoError.
 GltfText gltf_text(const FileBytes& file);
 
-// The bytes of a URI: data in base64, or a file in the folder of this one. Throws IoError.
-std::string gltf_buffer(const FileBytes& file, std::string_view uri);
+// The bytes of a data URI in base64; empty if the URI names a file. Throws IoError.
+std::optional<std::string> gltf_data(const FileBytes& file, std::string_view uri);
+
+// The file in the folder of this one that a URI names. Throws IoError if that is elsewhere.
+std::filesystem::path gltf_buffer_path(const FileBytes& file, std::string_view uri);
 
 }  // namespace augicp

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
 
 #include "augicp/io/format.h"
 #include "augicp/io/gltf_document.h"
@@ -10,20 +13,49 @@ namespace {
 
 using Json = GltfDocument::Json;
 
-std::vector<std::string> buffers_of(const GltfDocument& document) {
-  std::vector<std::string> buffers;
-  for (const Json& buffer : document.list(document.root(), "buffers")) {
-    if (!buffer.is_object()) document.fail("expected objects in \"buffers\"");
-    const Json* const uri = GltfDocument::member(buffer, "uri");
-    const bool is_inside = !uri && buffers.empty() && document.binary();
-    if (!is_inside && !(uri && uri->is_string())) document.fail("expected a buffer with a \"uri\"");
-    buffers.push_back(is_inside ? std::string(*document.binary())
-                                : gltf_buffer(document.file(), uri->get_ref<const std::string&>()));
-    if (const auto length = document.count(buffer, "byteLength"); !length || *length > buffers.back().size())
-      document.fail(fmt::format("expected a buffer of {} bytes, found {}", length.value_or(0), buffers.back().size()));
+using Bytes = std::shared_ptr<const std::string>;
+
+// The buffers of a file. Each file beside it is read once, however many buffers name it.
+class BufferReader {
+ public:
+  explicit BufferReader(const GltfDocument& document) : document_(document) {}
+
+  std::vector<Bytes> read() {
+    std::vector<Bytes> buffers;
+    for (const Json& buffer : document_.list(document_.root(), "buffers")) {
+      if (!buffer.is_object()) document_.fail("expected objects in \"buffers\"");
+      buffers.push_back(bytes_of(buffer, buffers.empty()));
+      const std::size_t size = buffers.back()->size();
+      if (const auto length = document_.count(buffer, "byteLength"); !length || *length > size)
+        document_.fail(fmt::format("expected a buffer of {} bytes, found {}", length.value_or(0), size));
+    }
+    return buffers;
   }
-  return buffers;
-}
+
+ private:
+  Bytes bytes_of(const Json& buffer, bool is_first) {
+    const Json* const uri = GltfDocument::member(buffer, "uri");
+    if (!uri && is_first && document_.binary()) return std::make_shared<const std::string>(*document_.binary());
+    if (!uri || !uri->is_string()) document_.fail("expected a buffer with a \"uri\"");
+    const auto& text = uri->get_ref<const std::string&>();
+    if (auto data = gltf_data(document_.file(), text)) return std::make_shared<const std::string>(std::move(*data));
+    const std::filesystem::path path = gltf_buffer_path(document_.file(), text);
+    Bytes& known = beside_[path];
+    if (!known) known = std::make_shared<const std::string>(read_beside(path));
+    return known;
+  }
+
+  std::string read_beside(const std::filesystem::path& path) const {
+    try {
+      return read_bytes(path).bytes;
+    } catch (const IoError& error) {
+      document_.fail(std::string("its buffer cannot be read: ") + error.what());
+    }
+  }
+
+  const GltfDocument& document_;
+  std::map<std::filesystem::path, Bytes> beside_;
+};
 
 ScalarType type_of_component(const GltfDocument& document, std::uint64_t number) {
   constexpr ScalarType kTypes[] = {ScalarType::Int8, ScalarType::Uint8, ScalarType::Int16, ScalarType::Uint16};
@@ -47,7 +79,7 @@ class SceneReader {
 
   GltfScene read() {
     refuse_compressed();
-    scene_.buffers = buffers_of(document_);
+    scene_.buffers = BufferReader(document_).read();
     is_seen_.resize(document_.list(document_.root(), "nodes").size());
     for (const std::uint64_t root : roots()) add_node(root, Mat4d::Identity(), 0);
     return std::move(scene_);
@@ -117,9 +149,24 @@ class SceneReader {
           attributes && attributes->is_object() ? document_.count(*attributes, "POSITION") : std::nullopt;
       if (!mode || !positions) continue;
       GltfPart part{*mode, numbers_of(*positions, "VEC3"), std::nullopt, world_from_mesh};
-      if (const auto indices = document_.count(primitive, "indices")) part.indices = numbers_of(*indices, "SCALAR");
-      scene_.parts.push_back(std::move(part));
+      if (const auto indices = document_.count(primitive, "indices")) part.indices = indices_of(*indices);
+      add(std::move(part));
     }
+  }
+
+  // Many nodes of a small file may each show a mesh of many primitives.
+  void add(GltfPart part) {
+    constexpr std::size_t kMostParts = 1u << 20;
+    if (scene_.parts.size() == kMostParts)
+      document_.fail(fmt::format("expected at most {} primitives in all nodes, found more", kMostParts));
+    scene_.parts.push_back(std::move(part));
+  }
+
+  GltfNumbers indices_of(std::uint64_t accessor_index) const {
+    const GltfNumbers indices = numbers_of(accessor_index, "SCALAR");
+    if (indices.type != ScalarType::Uint8 && indices.type != ScalarType::Uint16 && indices.type != ScalarType::Uint32)
+      document_.fail("expected indices of an unsigned component type");
+    return indices;
   }
 
   std::optional<GltfMode> mode_of(std::uint64_t number) {
@@ -166,7 +213,7 @@ class SceneReader {
                         length = document_.count(view, "byteLength").value_or(0);
     numbers.stride = document_.count(view, "byteStride").value_or(item_bytes);
     if (buffer >= scene_.buffers.size()) document_.fail(fmt::format("expected a buffer {}", buffer));
-    const std::string_view bytes = scene_.buffers[buffer];
+    const std::string_view bytes = *scene_.buffers[buffer];
     const bool is_in_buffer = begin <= bytes.size() && length <= bytes.size() - begin && offset <= length;
     const bool fits = is_in_buffer && numbers.count > 0 && numbers.stride >= item_bytes &&
                       item_bytes <= length - offset &&

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "augicp/io/atomic_file.h"
+#include "augicp/io/gltf_file.h"
 #include "augicp/io/reader_testing.h"
 #include "augicp/testing/temporary_folder.h"
 
@@ -134,6 +135,18 @@ TEST(ReadGltf, WhatIsLeftOutIsSaid) {
   EXPECT_THAT(testing::parse("a.gltf", text).report.warnings, ElementsAre("lines are not read"));
 }
 
+// Buffers that name one file, in whatever way, share its bytes.
+TEST(ReadGltf, AFileOfSeveralBuffersIsReadOnce) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "b.bin", kBuffer);
+  const std::string more = R"({"uri": "./%62.bin", "byteLength": 60}, {)";
+  const std::string text = with(json(R"("uri": "b.bin", )"), "\"buffers\": [{", "\"buffers\": [" + more);
+  const GltfScene scene = read_gltf_scene({folder / "a.gltf", text});
+  ASSERT_EQ(scene.buffers.size(), 2u);
+  EXPECT_EQ(scene.buffers[0], scene.buffers[1]);
+  EXPECT_EQ(*scene.buffers[0], kBuffer);
+}
+
 // robustness 1
 TEST(ReadGltf, CutsAreRefused) {
   testing::expect_cuts_are_seen("a.gltf", json(data_uri()));
@@ -155,6 +168,7 @@ TEST(ReadGltf, DamageIsRefused) {
       {"\"count\": 4", "\"count\": 3", "expected a vertex below 3, found 3"},
       {"\"bufferView\": 0, ", "", "sparse"},
       {"5126", "5124", "component type"},
+      {"5123", "5122", "unsigned component type"},
       {"\"buffer\": 0, \"byteLength\": 48", "\"buffer\": 3, \"byteLength\": 48", "expected a buffer 3"},
       {"\"byteLength\": 60", "\"byteLength\": 61", "expected a buffer of 61 bytes, found 60"},
       {"base64,", "base64,*", "base64"},
@@ -172,6 +186,20 @@ TEST(ReadGltf, DamageIsRefused) {
   std::string old = glb(json(""));
   old[4] = 1;
   expect_refused("a.glb", old, "version 2 of glTF, found 1");
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string all = text;
+  for (int i = 1; i < count; ++i) all += ", " + text;
+  return all;
+}
+
+// 2000 nodes that each show a mesh of 1000 primitives: a small file that would fill the memory.
+TEST(ReadGltf, NodesTimesPrimitivesAreLimited) {
+  std::string text = with(json(data_uri()), R"("scene": 0, "scenes": [{"nodes": [0]}], )", "");  // all are shown
+  text = with(text, R"({"mesh": 0})", repeated(R"({"mesh": 0})", 2000));
+  const std::string primitive = R"({"indices": 1,"attributes": {"POSITION": 0}})";
+  expect_refused("a.gltf", with(text, primitive, repeated(primitive, 1000)), "at most 1048576 primitives");
 }
 
 }  // namespace
