@@ -78,6 +78,11 @@ DepthImage parse_rvl(MessageReader& reader, std::string_view data, double depth_
   };
   const std::uint64_t width = side_at(0), height = side_at(4);
   check_sides(reader, width, height);
+  // Larger images than so many times their bytes are no depth images: readings have noise.
+  constexpr std::uint64_t kAlwaysAllowed = std::uint64_t{16} << 20, kMostPerByte = 512;  // pixels
+  const std::uint64_t most = std::max<std::uint64_t>(kAlwaysAllowed, kMostPerByte * data.size());
+  if (width * height > most)
+    reader.fail(fmt::format("expected an image of at most {} pixels, found {} x {}", most, width, height));
   const auto pixels = rvl_pixels(data.substr(kSizeBytes), width * height);
   if (!pixels) reader.fail(fmt::format("expected {} pixels in RVL; they are damaged", width * height));
   return depth_image(*pixels, static_cast<int>(width), static_cast<int>(height), depth_scale);

@@ -199,6 +199,8 @@ TEST(DepthMessage, DamagedRvlIsRefused) {
   EXPECT_THAT(refused(rvl_message(values, 40, 31)), HasSubstr("1240 pixels"));
   EXPECT_THAT(refused(rvl_message(values, 40, 29)), HasSubstr("1160 pixels"));
   EXPECT_THAT(refused(rvl_message(values, 0xffffffffu, 2)), HasSubstr("pixels a side"));
+  // One run of zeros may be an image that fills the memory.
+  EXPECT_THAT(refused(rvl_message(values, 16384, 16384)), HasSubstr("at most 16777216 pixels"));
 }
 
 TEST(DepthMessage, WhatIsNoDepthIsRefused) {
