@@ -226,7 +226,6 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
   beyond_arc_ = beyond_arc(report.stamp_s, attempt.world_from_sensor);
   is_last_degenerate_ = report.status == FrameStatus::Degenerate;
   before_last_ = has_paused ? std::nullopt : last_;
-  if (has_paused) start_scan_.reset();
   last_ = StampedPose{report.stamp_s, attempt.world_from_sensor};
   const Rigid3 since = inverse(keyframe_->world_from_sensor) * attempt.world_from_sensor;
   const bool is_far = options_.parts.is_last_scan_alone ||

@@ -33,6 +33,7 @@ Evidence evidence_of(const Judge& judge_of_first, const Rigid3& target_from_sour
   Evidence evidence = judge_of_first.evidence(target_from_source);
   evidence.last_step = in_finer.last_step;
   evidence.last_rotation_step = in_finer.last_rotation_step;
+  evidence.moved = in_finer.moved;
   return evidence;
 }
 
