@@ -21,9 +21,9 @@ std::vector<Rigid3> searched(const ScanPair& pair, const Rigid3& guess, const Re
 AlignResult from_start_of_images(const ScanPair& pair, const StartInTurn& start, const Guess& guess,
                                  const RegistrationOptions& options);
 
-// The judged result from a guess: of the starts around it, if the options search. The guess itself is led on too if what
-// was found on the way does not convince, or hardly constrains a motion. If that motion is free, the pose that stays at
-// the guess is returned; else the evidence decides.
+// The judged result from a guess: of the starts around it, if the options search. The guess itself is led on too if
+// what was found on the way does not convince, or hardly constrains a motion. If that motion is free, the pose that
+// stays at the guess is returned; else the evidence decides.
 AlignResult from_guess_of_images(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options);
 
 }  // namespace augicp
