@@ -80,7 +80,7 @@ Registration in_finer_balls(Registration first, const RawPair& raw, const Guess&
   if (!is_found(first.result) || first.result.observability.weakest() >= align_by.min_observability) return first;
   try {
     Registration finer = registered_finer(first, raw, guess, options);
-    return replaces(finer, first, align_by, guess) ? finer : first;
+    return replaces(finer, first, align_by, guess) ? std::move(finer) : std::move(first);
   } catch (const TooMuchMemory&) {  // the first result needed less
     return first;
   }

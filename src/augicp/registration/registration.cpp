@@ -100,7 +100,7 @@ Registration registered(PreparedPair pair, const Rigid3& guess, const Registrati
   std::optional<RawPair> raw = std::exchange(pair.raw, std::nullopt);
   AlignResult result = coarse_to_fine(pair, guess, options);
   Registration first{std::move(result), std::move(pair)};
-  return raw ? refined(std::move(first), std::move(*raw), options.global ? Guess{} : guess, options) : first;
+  return raw ? refined(std::move(first), std::move(*raw), options.global ? Guess{} : guess, options) : std::move(first);
 }
 
 AlignResult nothing_found(const Rigid3& initial_target_from_source) {
