@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-// Images that are larger than so many times their file are no depth images: readings have noise.
+// An image with more pixels than this many times the bytes of its file is no depth image: readings have noise.
 constexpr std::uint64_t kAlwaysAllowed = std::uint64_t{32} << 20, kMostPerByte = 1024;
 
 void check_memory(const FileBytes& file, const TiffImage& image) {

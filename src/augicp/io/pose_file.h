@@ -22,8 +22,8 @@ struct PoseFile {
 };
 
 // Values are separated by blanks or commas; '#' starts a comment, '%' and '//' a line of one. Throws IoError naming the
-// line whose values are not finite or not as many as in the first, whose pose is not rigid (see rigid3_from_matrix), or
-// whose stamp is not above the one before; also if there is no pose.
+// line whose values are not finite, or differ in number from the first line, whose pose is not rigid (see
+// rigid3_from_matrix), or whose stamp is not above the one before; also if there is no pose.
 PoseFile parse_poses(const FileBytes& file);
 PoseFile read_poses(const std::filesystem::path& path);
 

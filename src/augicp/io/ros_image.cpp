@@ -78,7 +78,7 @@ DepthImage parse_rvl(MessageReader& reader, std::string_view data, double depth_
   };
   const std::uint64_t width = side_at(0), height = side_at(4);
   check_sides(reader, width, height);
-  // Larger images than so many times their bytes are no depth images: readings have noise.
+  // An image with more pixels than this many times its bytes is no depth image: readings have noise.
   constexpr std::uint64_t kAlwaysAllowed = std::uint64_t{16} << 20, kMostPerByte = 512;  // pixels
   const std::uint64_t most = std::max<std::uint64_t>(kAlwaysAllowed, kMostPerByte * data.size());
   if (width * height > most)

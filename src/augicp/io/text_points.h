@@ -38,7 +38,7 @@ struct TextNotes {
 
 // Adds the points of the next num_points lines; lines then stands behind the last of them. lines_before is the number
 // of lines of the file before `lines`, for messages. Throws IoError if a line is not a point, or there are too few, or
-// if numbers have decimal commas and points: the commas may be those of thousands.
+// if numbers have decimal commas and points: the commas may be thousands separators.
 TextNotes add_points(const FileBytes& file, const TextPoints& points, TextLines& lines, std::uint64_t lines_before,
                      CloudBuilder& builder);
 

@@ -129,7 +129,7 @@ void sum_pixels(const TiffImage& image, char* row) {
   }
 }
 
-// Bytes are differences, and those of a row are sorted by their place in the pixels, the most significant first.
+// Bytes are differences. A row has the most significant bytes of all its pixels first, then the next ones.
 void join_bytes(const TiffImage& image, char* row) {
   const std::size_t size = num_bytes(image.type), width = image.block_width;
   for (std::size_t i = 1; i < width * size; ++i) row[i] = static_cast<char>(row[i] + row[i - 1]);

@@ -19,7 +19,7 @@ struct LidarMemory {
 };
 
 // Throws TooMuchMemory if more than this is needed, 10^9 bytes. Its voxel size, metres, is expected to be enough: the
-// map's voxels are taken to become fewer as those of the scan do. The scan is without far outliers.
+// number of the map's voxels is taken to fall as that of the scan's does. The scan is without far outliers.
 void require_memory(const LidarMemory& needed, const Cloud& scan, double voxel_size, double max_gb);
 
 }  // namespace augicp
