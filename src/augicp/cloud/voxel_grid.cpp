@@ -10,51 +10,11 @@
 #include <span>
 #include <tuple>
 
+#include "augicp/cloud/voxel_cells.h"
 #include "augicp/core/check.h"
 
 namespace augicp {
 namespace {
-
-constexpr double kMaxCells = 1 << 21;  // three axes of 21 bits fit one 64-bit key
-
-// Every third bit of the result is a bit of the lowest 21 of x.
-std::uint64_t spread_bits(std::uint64_t x) {
-  x = (x | x << 32) & 0x001f00000000ffff;
-  x = (x | x << 16) & 0x001f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  return (x | x << 2) & 0x1249249249249249;
-}
-
-// Positions in whole parts of a cell from the corner of the grid. The sum of integers does not depend on their order.
-constexpr int kPartBits = 30;
-constexpr std::int64_t kParts = std::int64_t{1} << kPartBits;
-using Parts = std::array<std::int64_t, 3>;
-
-class Grid {
- public:
-  Grid(const Vec3f& min, double cell)
-      : min_(min.cast<double>()), parts_per_metre_(std::min(kParts / cell, std::numeric_limits<double>::max())) {}
-
-  Parts parts(const Vec3f& point) const {
-    // Offsets from the minimum are never negative, so truncation equals floor.
-    const auto axis = [&](int k) {
-      const double parts = (static_cast<double>(point[k]) - min_[k]) * parts_per_metre_;
-      return static_cast<std::int64_t>(std::min(parts, kMaxCells * kParts - 1.0));
-    };
-    return {axis(0), axis(1), axis(2)};
-  }
-  Vec3d place(const Vec3d& parts) const { return min_ + parts / parts_per_metre_; }
-
- private:
-  Vec3d min_;
-  double parts_per_metre_;
-};
-
-std::uint64_t morton_key(const Parts& parts) {
-  const auto axis = [&](int k) { return spread_bits(static_cast<std::uint64_t>(parts[k] >> kPartBits)); };
-  return axis(0) | axis(1) << 1 | axis(2) << 2;
-}
 
 struct Keyed {
   std::uint64_t key;
@@ -88,14 +48,12 @@ void sort_by_key(SortedPoints& sorted) {
   }
 }
 
-SortedPoints by_voxel(const Cloud& cloud, const Grid& grid) {
+SortedPoints by_voxel(const Cloud& cloud, const VoxelCells& cells) {
   SortedPoints sorted(cloud.size());
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) sorted.points[i] = {morton_key(grid.parts(cloud.points[i])), i};
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) sorted.points[i] = {morton_key(cells.parts(cloud.points[i])), i};
   sort_by_key(sorted);
   return sorted;
 }
-
-double longest_side(const Bounds& box) { return (box.max.cast<double>() - box.min.cast<double>()).maxCoeff(); }
 
 template <typename T>
 std::vector<T> at(const std::vector<T>& values, const std::vector<std::uint32_t>& indices) {
@@ -105,19 +63,19 @@ std::vector<T> at(const std::vector<T>& values, const std::vector<std::uint32_t>
   return chosen;
 }
 
-Vec3f mean_point(const Cloud& cloud, const Grid& grid, std::span<const Keyed> voxel) {
+Vec3f mean_point(const Cloud& cloud, const VoxelCells& cells, std::span<const Keyed> voxel) {
   if (voxel.size() == 1) return cloud.points[voxel.front().index];
   Parts sum{};  // from the corner of the voxel
   for (const Keyed& point : voxel) {
-    const Parts parts = grid.parts(cloud.points[point.index]);
+    const Parts parts = cells.parts(cloud.points[point.index]);
     for (int k = 0; k < 3; ++k) sum[k] += parts[k] % kParts;
   }
-  const Parts any = grid.parts(cloud.points[voxel.front().index]);
+  const Parts any = cells.parts(cloud.points[voxel.front().index]);
   Vec3d mean;
   for (int k = 0; k < 3; ++k)
     mean[k] =
         static_cast<double>(any[k] - any[k] % kParts) + static_cast<double>(sum[k]) / static_cast<double>(voxel.size());
-  return grid.place(mean).cast<float>();
+  return cells.place(mean).cast<float>();
 }
 
 void sort_by_coordinates(const Cloud& cloud, std::span<Keyed> voxel) {
@@ -175,22 +133,17 @@ Cloud evenly_chosen(const Cloud& cloud, std::size_t max_count) {
 Cloud downsample(const Cloud& cloud, double voxel_size) {
   require_positive("voxel_size", voxel_size);
   if (cloud.empty()) return cloud;
-  const Bounds box = bounds(cloud);
-  const double longest = longest_side(box);
-  require(longest / voxel_size < kMaxCells, "voxel_size", voxel_size,
-          "too small, the cloud spans more than 2^21 voxels");
-  // A cell larger than the cloud is not needed, and its parts would be too coarse for the cloud.
-  const Grid grid(box.min, longest > 0.0 ? std::min(voxel_size, 2.0 * longest) : voxel_size);
+  const VoxelCells cells = voxel_cells(cloud, voxel_size);
   const bool has_more =
       cloud.has_directions() || cloud.has_gaussians() || cloud.has_intensities() || !cloud.weights.empty();
-  SortedPoints sorted = by_voxel(cloud, grid);
+  SortedPoints sorted = by_voxel(cloud, cells);
   std::vector<std::uint32_t> nearest;
   std::vector<Vec3f> means;
   std::vector<float> intensities;
   for (auto begin = sorted.points.begin(), end = begin; begin != sorted.points.end(); begin = end) {
     end = std::find_if(begin, sorted.points.end(), [&](const Keyed& k) { return k.key != begin->key; });
     const std::span<Keyed> voxel(begin, end);
-    means.push_back(mean_point(cloud, grid, voxel));
+    means.push_back(mean_point(cloud, cells, voxel));
     if (!has_more) continue;
     sort_by_coordinates(cloud, voxel);  // the first point must not depend on the order of the input
     nearest.push_back(nearest_to(means.back(), cloud, voxel));

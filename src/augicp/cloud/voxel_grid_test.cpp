@@ -165,6 +165,17 @@ TEST(VoxelGrid, EqualPointsBecomeOne) {
     EXPECT_EQ(downsample(cloud, voxel_size).points, std::vector<Vec3f>{Vec3f(1.0f, 2.0f, 3.0f)});
 }
 
+TEST(VoxelGrid, AreCountedAsThePointsThatStay) {
+  Cloud cloud = random_cloud(5000, 1.0);
+  cloud.points.insert(cloud.points.end(), 3, Vec3f(0.5f, 0.5f, 0.5f));
+  for (const double voxel_size : {1e-3, 0.05, 0.3, 10.0})
+    EXPECT_EQ(count_voxels(cloud, voxel_size), downsample(cloud, voxel_size).size()) << voxel_size;
+  Cloud one;
+  EXPECT_EQ(count_voxels(one, 1.0), 0u);
+  one.points = {Vec3f::Zero()};
+  EXPECT_EQ(count_voxels(one, 1.0), 1u);
+}
+
 TEST(VoxelGrid, DirectionsComeFromAMember) {
   Cloud cloud;
   cloud.points = {{0.0f, 0.0f, 0.0f}, {0.01f, 0.0f, 0.0f}, {0.05f, 0.0f, 0.0f}};
@@ -194,8 +205,10 @@ TEST(EvenlyChosen, AreNoMoreThanAskedAndSpreadOverAll) {
 
 TEST(VoxelGrid, BadSizesAreRefused) {
   const Cloud cloud = random_cloud(10, 1.0);
-  for (double voxel_size : {0.0, -1.0, std::nan(""), 1e-9})
+  for (double voxel_size : {0.0, -1.0, std::nan(""), 1e-9}) {
     EXPECT_THROW(downsample(cloud, voxel_size), std::invalid_argument);
+    EXPECT_THROW(count_voxels(cloud, voxel_size), std::invalid_argument);
+  }
   EXPECT_TRUE(downsample(Cloud{}, 0.1).empty());
 }
 

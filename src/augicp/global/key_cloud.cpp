@@ -56,7 +56,7 @@ float variation_of(const Gaussian& near) {
 double common_voxel(const Cloud& source, const Cloud& target, double least_voxel_size, std::size_t max_points) {
   double voxel_size = least_voxel_size;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const std::size_t count = std::max(downsample(source, voxel_size).size(), downsample(target, voxel_size).size());
+    const std::size_t count = std::max(count_voxels(source, voxel_size), count_voxels(target, voxel_size));
     if (count <= max_points) break;
     // Points on surfaces, with a little more than that asks for.
     voxel_size *= std::max(1.05, 1.02 * std::sqrt(static_cast<double>(count) / static_cast<double>(max_points)));

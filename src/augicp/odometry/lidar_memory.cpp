@@ -42,11 +42,11 @@ std::string in_digits(double value) {
 }
 
 std::optional<double> enough_voxel(const LidarMemory& needed, const Cloud& scan, double voxel_size, double max_gb) {
-  const auto num_now = static_cast<double>(downsample(scan, voxel_size).size());
+  const auto num_now = static_cast<double>(count_voxels(scan, voxel_size));
   double voxel = voxel_size;
   for (int trial = 0; trial < kMaxTrials; ++trial) {
     voxel = two_digits(kStep * voxel);
-    const double share = static_cast<double>(downsample(scan, voxel).size()) / num_now;
+    const double share = static_cast<double>(count_voxels(scan, voxel)) / num_now;
     LidarMemory then = needed;
     then.num_voxels = static_cast<std::size_t>(share * static_cast<double>(needed.num_voxels));
     if (then.gb() <= max_gb) return voxel;

@@ -154,7 +154,7 @@ void LidarOdometry::require_memory_for(const Cloud& scan) {
     drop_far_outliers(cloud, kReachVoxels * voxel_size_);
     return cloud;
   };
-  if (num_voxels_of_scan_ == 0) num_voxels_of_scan_ = downsample(near(), voxel_size_).size();
+  if (num_voxels_of_scan_ == 0) num_voxels_of_scan_ = count_voxels(near(), voxel_size_);
   const LidarMemory needed = memory_for(scan.size());
   const double max_gb = allowed_gb(options_.max_memory_gb);
   if (needed.gb() > max_gb) require_memory(needed, near(), voxel_size_, max_gb);

@@ -12,7 +12,7 @@ namespace {
 // The mean distance of neighbours on a surface: its area is about that of the occupied cells.
 double spacing(const Cloud& cloud, double cell_size) {
   if (cloud.empty()) return 0.0;
-  const auto num_cells = downsample(cloud, feasible_voxel(cloud, cell_size)).size();
+  const std::size_t num_cells = count_voxels(cloud, feasible_voxel(cloud, cell_size));
   return cell_size * std::sqrt(static_cast<double>(num_cells) / static_cast<double>(cloud.size()));
 }
 
