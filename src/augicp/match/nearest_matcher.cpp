@@ -52,10 +52,12 @@ class NearestSession final : public MatchSession {
   NearestMemory memory_;
 };
 
-// What is said of a point that does not agree.
-PointAgreement off_surface(Sight sight, bool is_near) {
+// What is said of a point that does not agree. Far from the sensor a ball meets one scan line alone, which looks like
+// an edge: a point between two such lines, as far from the sensor as they are, lies where nothing was measured.
+PointAgreement off_surface(Sight sight, bool is_near, bool is_near_edge) {
   if (sight == Sight::Free) return PointAgreement::Conflict;
   if (sight == Sight::Hidden) return PointAgreement::Hidden;
+  if (sight == Sight::AtSurface && is_near_edge) return PointAgreement::Unseen;
   return is_near ? PointAgreement::Differ : PointAgreement::Unseen;
 }
 
@@ -87,6 +89,9 @@ std::vector<PointAgreement> NearestMatcher::agreements(const Cloud& source, cons
   const auto limit = static_cast<float>(tolerance.distance);
   const float reach = kNearPerTolerance * limit;
   std::vector<PointAgreement> of_point(source.size());
+  const auto is_edge = [&](std::size_t i) {
+    return target_.has_directions() && target_.structures[i] == Structure::Edge;
+  };
   const auto ask = [&](std::size_t begin, std::size_t end) {
     std::uint32_t likely = 0;
     for (std::size_t j = begin; j < end; ++j) {
@@ -96,7 +101,7 @@ std::vector<PointAgreement> NearestMatcher::agreements(const Cloud& source, cons
       of_point[j] = found && on_surface.agrees(j, moved, found->index, limit)
                         ? PointAgreement::Agree
                         : off_surface(lines_of_sight_ ? lines_of_sight_->sight(moved, limit) : Sight::OutOfView,
-                                      found.has_value());
+                                      found.has_value(), found && is_edge(found->index));
     }
   };
   for_each_block(source.size(), num_threads, ask);

@@ -131,7 +131,7 @@ bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& lim
 
 bool may_fit(Evidence of_guess, const Evidence& best, const VerdictLimits& limits) {
   of_guess.moved = best.moved;
-  return has_settled(of_guess, limits) && excess(of_guess, limits) <= kSmallExcess;
+  return excess(of_guess, limits) <= kSmallExcess;
 }
 
 }  // namespace augicp

@@ -134,7 +134,7 @@ TEST(Verdict, ARivalFitsAsWellIfItsEvidenceIsAsGood) {
   EXPECT_TRUE(fits_as_well(far, good_evidence()));
 }
 
-// A pose that a limit refuses by little may still be the right one; one that many refuse, or that still moves, is not.
+// A pose that a limit refuses by little may still be the right one, one that it refuses by much is not.
 TEST(Verdict, WhatTheGuessLeadsToMayFitThoughALimitRefusesIt) {
   Evidence of_guess = good_evidence();
   of_guess.target_in_source.count = {.agree = 770, .differ = 230};
@@ -142,7 +142,8 @@ TEST(Verdict, WhatTheGuessLeadsToMayFitThoughALimitRefusesIt) {
   EXPECT_TRUE(may_fit(of_guess, good_evidence()));
   Evidence moving = of_guess;
   moving.last_step = 1e-2;
-  EXPECT_FALSE(may_fit(moving, good_evidence()));
+  EXPECT_FALSE(fits_as_well(moving, good_evidence()));
+  EXPECT_TRUE(may_fit(moving, good_evidence()));
   of_guess.target_in_source.count = {.agree = 680, .differ = 320};
   EXPECT_FALSE(may_fit(of_guess, good_evidence()));
 }
