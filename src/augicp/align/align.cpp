@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "augicp/align/iteration.h"
+#include "augicp/align/stretch.h"
 #include "augicp/core/stop.h"
 #include "augicp/trust/covariance.h"
 
@@ -42,6 +43,7 @@ AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& i
   result.status = AlignStatus::IterationLimit;
   Rigid3 pose = initial_target_from_source;  // T
   std::vector<Rigid3> visited;
+  Stretch stretch(options);
   Iteration now;
   now.gates = options.gates;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
@@ -56,7 +58,7 @@ AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& i
       result.status = AlignStatus::Diverged;
       break;
     }
-    pose = retract(pose, increment);  // T <- dT (+) T
+    pose = retract(pose, stretch.of(increment));  // T <- dT (+) T
     now.gates.max_distance = closed_gate({source, target, now.typical, pose}, now.gates.max_distance, options);
     ++result.iterations;
     result.information = now.equations.H;

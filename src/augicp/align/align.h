@@ -65,6 +65,9 @@ struct AlignOptions {
 
   int max_iterations = 50;
 
+  // How many times longer the steps of a loop that creeps may be made, see stretch.h. 1: off, as in the paper.
+  double max_stretch = 1.0;
+
   // A step below both ends the loop: metres and radians.
   double min_translation_step = 1e-5;
   double min_rotation_step = 1e-5;

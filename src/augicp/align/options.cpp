@@ -21,6 +21,7 @@ void AlignOptions::check() const {
   require_positive("kernel_intensity_per_median", kernel_intensity_per_median);
   require_not_negative("damping", damping);
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
+  require(max_stretch >= 1.0, "max_stretch", max_stretch, "must be at least 1");
   require_not_negative("min_translation_step", min_translation_step);
   require_not_negative("min_rotation_step", min_rotation_step);
   require_not_negative("min_observability", min_observability);

@@ -19,6 +19,10 @@ constexpr double kLeverPerRadius = 1.4;
 // the large motions on fr1/desk.
 constexpr double kGatePerMedianNearest = 4.0;
 
+// With steps as long as this a mug, whose handle alone holds its turn, ends within the limit of iterations. It took
+// 200.
+constexpr double kMaxStretch = 16.0;
+
 // Information from both sides lets the clouds meet in two or three iterations, so that the gate may close to what
 // remains between two samples of a surface: 1.2 voxels. (Chosen on the LiDAR pair and the car: farther pairs are those
 // that only one scan saw, and no kernel discounts them.)
@@ -125,6 +129,7 @@ AlignOptions align_options(const Lengths& lengths, bool projective, const Regist
   if (options.preset == Preset::Default && !projective) {
     align.gate_per_median = kGatePerMedianNearest;
     align.min_max_distance = lengths.radius;
+    align.max_stretch = kMaxStretch;
   }
   if (!projective && has_both_sides(options)) weigh_both_sides(lengths, align);
   align.min_kernel_chi2 = kernel_at(kMinKernelPerRadius * lengths.radius, align);
