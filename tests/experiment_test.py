@@ -107,6 +107,15 @@ class ExperimentTest(unittest.TestCase):
             self.assertEqual(len(outputs), 1)
             self.assertGreater(len(outputs.pop()), 60)
 
+    def test_trust_writes_its_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "trust.html"
+            finished = run("trust", "objects moved", "--pairs", 1, "--report", page)
+            self.assertEqual(finished.returncode, 0, finished.stderr)
+            text = page.read_text()
+        for part in ("How often each status is right", "objects moved", "wrong, converged", "wrong, accepted"):
+            self.assertIn(part, text)
+
     def test_another_seed_is_another_run(self):
         self.assertNotEqual(run(*SYNTHETIC).stdout, run(*SYNTHETIC, "--seed", 7).stdout)
 

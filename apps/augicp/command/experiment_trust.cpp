@@ -12,6 +12,7 @@
 #include "apps/augicp/command/experiment_output.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/table_options.h"
+#include "apps/augicp/page/trust_page.h"
 #include "apps/augicp/text/trust.h"
 #include "augicp/registration/option_table.h"
 
@@ -59,6 +60,7 @@ int run(const TrustArguments& arguments) {
   if (!arguments.output.csv.empty()) write_text(arguments.output.csv, trust_csv(results));
   write_text(arguments.table.empty() ? "-" : arguments.table, trust_text(results));
   if (!arguments.roc.empty()) write_text(arguments.roc, trust_roc_csv(results));
+  if (!arguments.output.page.empty()) write_text_file(arguments.output.page, trust_page(results));
   return kSuccess;
 }
 
@@ -89,7 +91,7 @@ void add_trust_experiment(CLI::App& experiment, int& exit_code) {
   command->footer(
       "The pairs are generated, each from its seed. A family's limit of a right pose is in docs/lab/trust.md.\n"
       "Examples:\n"
-      "  augicp experiment trust --pairs 20\n"
+      "  augicp experiment trust --pairs 20 --report trust.html\n"
       "  augicp experiment trust \"lidar corridor\" \"lidar tunnel\" --pairs 50 --output pairs.csv\n"
       "  augicp experiment trust \"objects unlike\" --half choose --roc roc.csv");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
