@@ -80,7 +80,9 @@ std::vector<Chart> charts_of(const std::vector<EvaluatedRun>& runs) {
 }
 
 std::string rmse_text(const std::optional<PoseStatistics>& errors) {
-  return errors ? fmt::format("{:.4f} m, {:.3f}°", errors->translation.rmse, kDegPerRad * errors->rotation.rmse) : "–";
+  // A narrow column breaks between the two, not before a unit.
+  return errors ? fmt::format("{:.4f}\u00a0m, {:.3f}°", errors->translation.rmse, kDegPerRad * errors->rotation.rmse)
+                : "–";
 }
 
 std::string table_html(const std::vector<EvaluatedRun>& runs) {
@@ -93,7 +95,7 @@ std::string table_html(const std::vector<EvaluatedRun>& runs) {
   if (!has_own_frames) head.push_back({"not aligned", "The same as ATE, without alignment, if both are in one frame."});
   std::vector<std::vector<std::string>> rows;
   for (const auto& [name, estimate, truth, evaluation] : runs) {
-    rows.push_back({name, fmt::format("{} of {}", evaluation.num_matched, evaluation.num_estimate),
+    rows.push_back({name, fmt::format("{}\u00a0of\u00a0{}", evaluation.num_matched, evaluation.num_estimate),
                     rmse_text(evaluation.aligned), rmse_text(evaluation.relative)});
     if (!has_own_frames)
       rows.back().push_back(shares_frame(evaluation) ? rmse_text(evaluation.absolute) : "another frame");

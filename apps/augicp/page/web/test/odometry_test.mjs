@@ -5,7 +5,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { changes, inPage } from "./browser.mjs";
-import { ink } from "./picture.mjs";
+import { cutTables, ink, smallestLetters } from "./picture.mjs";
 import { browserForTests, folder, report, sequence } from "./reports.mjs";
 import { asPly, hallScan } from "./scenes.mjs";
 
@@ -77,4 +77,14 @@ test("section, point size and PNG work on the map", () => inPage(browser, pages.
 test("a LiDAR's page says what it is", () => inPage(browser, pages.lidar, {}, async (page) => {
   assert.match(await page.locator("header").innerText(), /LiDAR odometry[\s\S]*8 frames, 8 with a pose[\s\S]*Times of the points/);
   assert.match(await page.locator("main").innerText(), /Overlap with the map/);
+}));
+
+test("beside the picture the table of errors is whole", () => inPage(browser, pages.camera, {}, async (page) => {
+  assert.ok((await page.locator("table").count()) > 0);
+  assert.deepEqual(await cutTables(page), []);
+}));
+
+test("on a phone the numbers of a drawing can be read", () => inPage(browser, pages.camera, { viewport: { width: 390, height: 844 }, isMobile: true }, async (page) => {
+  const size = await smallestLetters(page);
+  assert.ok(size >= 9.5 && size < 20, `${size}`);
 }));

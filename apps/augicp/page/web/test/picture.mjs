@@ -46,3 +46,12 @@ export async function ink(page, selector = ".view > canvas") {
     };
   }, png);
 }
+
+// The tables that scroll sideways.
+export const cutTables = (page) => page.locator(".scroll").evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.innerText));
+
+// The smallest height of the letters in a drawing, in pixels of the page: a drawing shrinks with its text.
+export const smallestLetters = (page) => page.locator("svg text").evaluateAll((all) => Math.min(...all.map((text) => {
+  const drawing = text.ownerSVGElement;
+  return (parseFloat(window.getComputedStyle(text).fontSize) * drawing.clientWidth) / drawing.viewBox.baseVal.width;
+}).filter((size) => size > 0)));

@@ -6,7 +6,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { changes, inPage } from "./browser.mjs";
-import { ink } from "./picture.mjs";
+import { cutTables, ink } from "./picture.mjs";
 import { augicp, browserForTests, folder, hasScript, plainAugicp, report, sequence } from "./reports.mjs";
 
 const browser = await browserForTests();
@@ -66,3 +66,9 @@ test("errors without alignment are a column only where an estimate is in the fra
   await inPage(browser, page, {}, async (shown) => assert.ok((await headings(shown)).includes("not aligned")));
   await inPage(browser, elsewhere, {}, async (shown) => assert.ok(!(await headings(shown)).includes("not aligned")));
 });
+
+test("the table is whole beside the picture, and a number keeps its unit", () => inPage(browser, page, {}, async (shown) => {
+  assert.deepEqual(await cutTables(shown), []);
+  const texts = await shown.locator("tbody td").allTextContents();
+  assert.ok(texts.some((text) => /\d\u00a0m, /.test(text)), `${texts}`);
+}));
