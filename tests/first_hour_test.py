@@ -75,6 +75,36 @@ class WrongWordsTest(unittest.TestCase):
                             (("align", "a"), "augicp align scan_b.ply scan_a.ply")):
             self.assertIn(part, self.refused(*words))
 
+    def test_words_of_other_programs_lead_to_ours(self):
+        for words, part in ((("register", "a", "b"), "Did you mean align?"), (("icp", "a", "b"), "Did you mean align?"),
+                            (("slam", "a"), "Did you mean odometry?"), (("help",), "Did you mean --help?"),
+                            (("align", "a", "b", "--leaf-size", 1), "Did you mean --voxel-size?"),
+                            (("align", "a", "b", "--downsample", 1), "Did you mean --voxel-size?"),
+                            (("align", "a", "b", "--guess", "T"), "Did you mean --initial?"),
+                            (("odometry", "a", "--deskew"), "Did you mean --point-times?"),
+                            (("odometry", "a", "--voxel-size", 1), "Did you mean --map-voxel?"),
+                            (("odometry", "a", "--sensor", "camera"), "Did you mean depth?"),
+                            (("align", "a", "b", "--method", "point_to_plane"), "Did you mean plane?"),
+                            (("align", "a", "b", "--method", "ICP"), "Did you mean point?"),
+                            (("align", "a", "b", "-o", "c"), "no option -o. Options are written out: --output"),
+                            (("align", "a", "b", "-v", 1), "--voxel-size, --verbose")):
+            self.assertIn(part, self.refused(*words))
+
+    def test_values_are_refused_with_their_option_and_a_remedy(self):
+        rooms = (ROOM / "source.ply", ROOM / "target.ply")
+        for words, part in ((("--voxel-size", "5cm"), "--voxel-size: expected a number, found '5cm'; units are not written"),
+                            (("--voxel-size", "0,05"), "decimals follow a point"),
+                            (("--max-iterations", 1.5), "--max-iterations: expected a whole number, found '1.5'"),
+                            (("--voxel-size",), "--voxel-size: expected a value"),
+                            (("--voxel-size", -1), "--voxel-size -1: must be finite and above 0"),
+                            (("--threads", -1), "--threads -1: must be at least 0"),
+                            (("--initial", 0, 0, 0, 0, 0, 0, 1), "go into quotes"),
+                            (("out.ply",), "found out.ply as well. A file to write follows its option: --output FILE"),
+                            (("--report", "out.pdf"), "give out.html"),
+                            (("--output", "a.ply", "--transform", "./a.ply"), "two outputs would be written to it")):
+            self.assertIn(part, self.refused("align", *rooms, *words))
+        self.assertTrue(self.refused("align", rooms[0]).startswith("augicp: target is required"))
+
     def test_version_names_commit_and_instructions(self):
         text = run("--version").stdout
         self.assertEqual(text, run("-V").stdout)
@@ -201,6 +231,41 @@ class WorkTest(unittest.TestCase):
             advice = shlex.split(re.search(r": augicp (.*)", finished.stderr)[1])
             more = ["--camera", "tum-fr1", "--last", 2, "--output", self.folder / folder.name] if advice[0] == "odometry" else []
             self.assertEqual(run(*advice, *more).returncode, 0, advice)
+
+    def test_what_cannot_be_written_is_said_before_the_work(self):
+        for option in ("--output", "--transform", "--json", "--report", "--mcap"):
+            path = self.folder / "missing" / ("o.mcap" if option == "--mcap" else "o.ply")
+            finished = run("align", ROOM / "source.ply", ROOM / "target.ply", option, path)
+            self.assertEqual((finished.returncode, finished.stdout), (3, ""), option)
+            self.assertIn(f"there is no folder {path.parent}", finished.stderr)
+
+    def test_a_guess_that_is_not_there_is_no_number(self):
+        finished = run("align", ROOM / "source.ply", ROOM / "target.ply", "--initial", self.folder / "T.txt")
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn("T.txt: no such file, and no pose", finished.stderr)
+
+    def test_lengths_that_leave_nothing_are_named(self):
+        for option in ("--voxel-size", "--radius"):
+            finished = run("align", ROOM / "source.ply", ROOM / "target.ply", option, 1000)
+            self.assertEqual((finished.returncode, finished.stderr), (4, ""))
+            self.assertRegex(finished.stdout, rf"left of 25392 and \d+, one a voxel of \d+ m: use a smaller {option}")
+        few = self.folder / "few.xyz"
+        few.write_text("1 2 3\n2 3 5\n")
+        self.assertIn("points   2 of the source", run("align", few, ROOM / "target.ply").stdout)
+        finished = run("align", ROOM / "source.ply", ROOM / "target.ply", "--radius", 0.001, "--no-search")
+        self.assertIn("hardly any point has a normal: balls of 0.001 m", finished.stderr)
+
+    def test_folders_without_frames_name_those_that_have_them(self):
+        inner = self.folder / "drive" / "scans"
+        inner.mkdir(parents=True)
+        for k in range(3):
+            (inner / f"{k}.ply").write_bytes((ROOM / "source.ply").read_bytes())
+        finished = run("odometry", inner.parent)
+        self.assertEqual(finished.returncode, 3)
+        self.assertIn(f"3 scans are tracked by: augicp odometry {inner}", finished.stderr)
+        self.assertIn("no such folder", run("odometry", self.folder / "missing").stderr)
+        self.assertIn(f"its folder is tracked by: augicp odometry {DESK}", run("odometry", DESK / "depth.txt").stderr)
+        self.assertIn("expected a trajectory", run("evaluate", ROOM / "source.ply", ROOM / "target.ply").stderr)
 
     def test_a_recording_that_is_not_there_is_none(self):
         for name in ("missing.mcap", "missing.bag", "missing.db3#3"):

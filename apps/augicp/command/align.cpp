@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 #include <system_error>
 
@@ -17,6 +18,7 @@
 #include "apps/augicp/page/nearest_rows.h"
 #include "apps/augicp/text/align.h"
 #include "apps/augicp/text/decisions.h"
+#include "augicp/core/error.h"
 #include "augicp/io/transform_file.h"
 #include "augicp/registration/option_table.h"
 
@@ -34,7 +36,10 @@ struct AlignArguments {
 Rigid3 initial_pose(const std::string& argument) {
   if (argument.empty()) return {};
   std::error_code not_a_path;  // numbers may be longer than a file name can be
-  return std::filesystem::exists(argument, not_a_path) ? read_transform(argument) : parse_transform(argument);
+  if (std::filesystem::exists(argument, not_a_path)) return read_transform(argument);
+  if (argument.find_first_not_of("0123456789+-.,;eE[]() \t\n") != std::string::npos)
+    throw IoError(fmt::format("--initial {}: no such file, and no pose \"tx ty tz qx qy qz qw\"", argument));
+  return parse_transform(argument);
 }
 
 struct AlignRun {
@@ -64,6 +69,27 @@ PairColours seen_colours(const AlignRun& run) {
     return nearest_colours(scan.cloud, file.cloud, colours_of(file));
   };
   return {of(run.prepared.source, run.source_as_read), of(run.prepared.target, run.target_as_read)};
+}
+
+// Whether hardly any point has a direction. Of few points that is said elsewhere.
+bool lacks_surfaces(const Cloud& cloud) {
+  constexpr std::size_t kFewPoints = 100;
+  constexpr std::size_t kPointsPerDirection = 100;
+  const auto& structures = cloud.structures;
+  const auto num_none = std::count(structures.begin(), structures.end(), Structure::None);
+  return cloud.size() > kFewPoints &&
+         cloud.size() - static_cast<std::size_t>(num_none) < cloud.size() / kPointsPerDirection;
+}
+
+// Methods that compare surfaces then have nothing to compare, and the search for a start takes minutes.
+void warn_of_radius(const PreparedPair& pair, const RegistrationOptions& options) {
+  const bool needs_surfaces = options.method != Method::Point && options.method != Method::Ndt;
+  if (!needs_surfaces || !options.radius) return;
+  if (lacks_surfaces(pair.source.cloud) || lacks_surfaces(pair.target.cloud))
+    fmt::print(stderr,
+               "augicp: warning: hardly any point has a normal: balls of {:.4g} m hold too few points; use a larger "
+               "--radius, or leave it out\n",
+               pair.lengths.radius);
 }
 
 AlignRun register_files(const AlignArguments& arguments, StepLine& line) {
@@ -100,6 +126,7 @@ AlignRun register_files(const AlignArguments& arguments, StepLine& line) {
   PreparedPair prepared = prepare_pair(std::move(source), std::move(target), options);
   report.timing_ms.surface = preparing.elapsed_ms();
   const double first_radius = prepared.lengths.radius;
+  warn_of_radius(prepared, options);
   const Stopwatch aligning;
   Registration registration = register_pair(std::move(prepared), run.initial, options);
   report.timing_ms.align = aligning.elapsed_ms();
@@ -156,6 +183,8 @@ int run_align(const AlignArguments& arguments) {
                          {arguments.source, arguments.target, arguments.initial});
   require_no_input_among({arguments.output}, {arguments.target});  // the source may be moved in place
   require_use_of(arguments.input, {arguments.source, arguments.target});
+  require_page_name(arguments.page);
+  require_places({arguments.json, arguments.transform, arguments.output, arguments.page, arguments.mcap});
   StepLine line(arguments.quiet ? Progress::None : arguments.progress);
   AlignRun run = register_files(arguments, line);
   line.hide();

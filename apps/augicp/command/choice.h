@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
+#include "apps/augicp/command/suggestion.h"
 #include "augicp/core/words.h"
 
 namespace augicp::app {
@@ -26,7 +28,11 @@ CLI::Validator choice() {
       given = std::to_string(static_cast<int>(value));  // the parser knows enumerators by number
       return std::string();
     }
-    return "expected one of " + choices<Value>() + ", found '" + given + "'";
+    std::vector<std::string> words;
+    for (const auto& [value, word] : kWords<Value>) words.emplace_back(word);
+    const std::string near = closest(given, words);
+    return "expected one of " + choices<Value>() + ", found '" + given + "'" +
+           (near.empty() ? "" : ". Did you mean " + near + "?");
   };
   return CLI::Validator(to_number, choices<Value>());
 }

@@ -17,6 +17,7 @@
 #include "apps/augicp/text/evaluation.h"
 #include "augicp/core/error.h"
 #include "augicp/eval/option_table.h"
+#include "augicp/io/file_bytes.h"
 #include "augicp/io/pose_file.h"
 #include "augicp/io/reference_pairs_file.h"
 
@@ -31,6 +32,11 @@ struct EvaluateArguments {
 };
 
 PoseFile read_and_warn(const std::string& path) {
+  for (const char* const of_cloud : {".ply", ".pcd", ".las", ".laz", ".stl", ".obj", ".png"})
+    if (lower_case_extension(path) == of_cloud)
+      throw IoError(path +
+                    ": expected a trajectory, found a name of a cloud or image; clouds are registered by: "
+                    "augicp align SOURCE TARGET");
   PoseFile file = read_poses(path);
   for (const std::string& warning : file.content.warnings)
     fmt::print(stderr, "augicp: warning: {}: {}\n", path, warning);
@@ -101,6 +107,8 @@ int run_evaluate(const EvaluateArguments& arguments) {
     throw std::invalid_argument("groundtruth is required, or --pairs");
   if (arguments.truth.empty() && !arguments.page.empty()) throw std::invalid_argument("--report: needs groundtruth");
   require_no_input_among({arguments.json, arguments.page}, inputs_of(arguments));
+  require_page_name(arguments.page);
+  require_places({arguments.json, arguments.page});
   std::vector<ReferencePair> known;
   if (!arguments.pairs.empty()) known = read_reference_pairs(arguments.pairs);
   std::vector<EvaluatedRun> runs;

@@ -5,11 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 #include <vector>
 
 #include "apps/augicp/command/depth_input.h"
+#include "apps/augicp/command/folder_advice.h"
 #include "apps/augicp/command/interruption.h"
 #include "augicp/core/error.h"
 #include "augicp/io/bag.h"
@@ -22,47 +22,6 @@
 
 namespace augicp::app {
 namespace {
-
-// Files of a folder that are of a kind, and the folders below it with the most of them, whose names are the least.
-struct FilesOfKind {
-  std::map<std::filesystem::path, std::vector<std::filesystem::path>> by_folder;
-
-  void add(const std::filesystem::path& path) { by_folder[path.parent_path()].push_back(path); }
-
-  std::vector<std::filesystem::path> most() const {
-    std::vector<std::filesystem::path> found;
-    for (const auto& [folder, files] : by_folder)
-      if (files.size() > found.size()) found = files;
-    std::sort(found.begin(), found.end());
-    return found;
-  }
-};
-
-// What can be done with a folder in the place of a file: its two clouds are aligned, and more of them are tracked, in
-// the folder that has them.
-std::string folder_advice(const std::filesystem::path& folder) {
-  FilesOfKind scans, images;
-  std::error_code error;
-  for (std::filesystem::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string extension = lower_case_extension(entry->path());
-    if (extension == ".ply" || extension == ".pcd" || extension == ".bin") scans.add(entry->path());
-    if (extension == ".png") images.add(entry->path());
-  }
-  const auto found_scans = scans.most(), found_images = images.most();
-  const bool are_scans = found_scans.size() > found_images.size();
-  const auto& found = are_scans ? found_scans : found_images;
-  const std::string text = fmt::format("{}: is a folder, expected one cloud or depth image", folder.string());
-  if (found.empty()) return text;
-  if (are_scans && found.size() == 2)
-    return text +
-           fmt::format("; its two clouds are aligned by: augicp align {} {}", found[0].string(), found[1].string());
-  // TUM's list of images, and the colour images beside them, are in the folder above.
-  const std::filesystem::path in = found.front().parent_path(),
-                              sequence = !are_scans && in.filename() == "depth" ? in.parent_path() : in;
-  return text + fmt::format("; {} {} are tracked by: augicp odometry {}", found.size(), are_scans ? "scans" : "images",
-                            sequence.string());
-}
 
 [[noreturn]] void refuse_topic(const std::string& topic, const std::filesystem::path& path) {
   throw std::invalid_argument(fmt::format("--topic {}: goes with a recording, and {} is none", topic, path.string()));
@@ -124,10 +83,15 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 void require_sequence(const std::filesystem::path& sequence, const std::string& topic) {
   if (is_bag(sequence)) return;
   if (!topic.empty()) refuse_topic(topic, sequence);
-  if (std::error_code ignored; std::filesystem::is_regular_file(sequence, ignored))
-    throw IoError(
-        sequence.string() +
-        ": is a file, expected a folder or a recording; two files are registered by: augicp align SOURCE TARGET");
+  std::error_code ignored;
+  if (!std::filesystem::exists(sequence, ignored)) throw IoError(sequence.string() + ": no such folder or recording");
+  if (std::filesystem::is_directory(sequence, ignored)) require_frames(sequence);
+  if (!std::filesystem::is_regular_file(sequence, ignored)) return;
+  const std::string text = sequence.string() + ": is a file, expected a folder or a recording; ";
+  if (sequence.filename() == "depth.txt")
+    throw IoError(text + "its folder is tracked by: augicp odometry " +
+                  (sequence.has_parent_path() ? sequence.parent_path().string() : "."));
+  throw IoError(text + "two files are registered by: augicp align SOURCE TARGET");
 }
 
 void warn_of_depth_scale(const DepthImage& image, const std::filesystem::path& path, double depth_scale) {

@@ -8,6 +8,7 @@
 #include "apps/augicp/command/command_line.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/interruption.h"
+#include "apps/augicp/command/own_words.h"
 #include "apps/augicp/command/refusal.h"
 #include "augicp/core/error.h"
 #include "augicp/registration/memory.h"
@@ -35,6 +36,10 @@ int run(int argc, char** argv) {
       return app.exit(error);  // --help, --version
     fmt::print(stderr, "{}", refusal(app, {argv + 1, argv + argc}, error));
     return kUsage;
+  } catch (const TooMuchMemory&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    return fail(in_words_of_options(app, error.what()).c_str(), kUsage);
   }
   return exit_code;
 }

@@ -214,6 +214,8 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   evaluation_options(arguments).check();
   require_extension(arguments.mcap, {".mcap"}, "--mcap");
   require_no_input_among({arguments.mcap, arguments.page, arguments.lidar.map}, {arguments.sequence});
+  require_page_name(arguments.page);
+  require_places({arguments.mcap, arguments.page, arguments.lidar.map});
   const std::optional<StampedTopic> topic = topic_of(arguments);
   if (is_lidar(arguments, topic)) return run_lidar(arguments, command, topic);
   const DepthSequence sequence = images_of(arguments, topic);

@@ -2,8 +2,10 @@
 #include "apps/augicp/command/suggestion.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <numeric>
+#include <utility>
 
 namespace augicp::app {
 namespace {
@@ -11,6 +13,50 @@ namespace {
 // A typing error in a short word, two or three in a long one. Beyond, most suggestions are wrong.
 constexpr std::size_t kLettersPerError = 3;
 constexpr std::size_t kMinPrefix = 3;
+
+// What other programs call it, without dashes, and our word. A row counts only where our word is one of those expected.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 40> kWordsOfOthers = {{
+    {"register", "align"},
+    {"registration", "align"},
+    {"icp", "align"},
+    {"gicp", "align"},
+    {"ndt", "align"},
+    {"match", "align"},
+    {"slam", "odometry"},
+    {"track", "odometry"},
+    {"mapping", "odometry"},
+    {"ape", "evaluate"},
+    {"rpe", "evaluate"},
+    {"normals", "surface"},
+    {"view", "info"},
+    {"show", "info"},
+    {"downsample", "voxel-size"},
+    {"downsamplingresolution", "voxel-size"},
+    {"leaf", "voxel-size"},
+    {"leafsize", "voxel-size"},
+    {"resolution", "voxel-size"},
+    {"voxelsize", "map-voxel"},
+    {"guess", "initial"},
+    {"transformation", "initial"},
+    {"correspondencedistance", "max-distance"},
+    {"maxcorrdist", "max-distance"},
+    {"deskew", "point-times"},
+    {"save", "output"},
+    {"view", "report"},
+    {"visualize", "report"},
+    {"visualise", "report"},
+    {"plot", "report"},
+    {"html", "report"},
+    {"intrinsics", "camera"},
+    {"numthreads", "threads"},
+    {"jobs", "threads"},
+    {"icp", "point"},
+    {"p2p", "point"},
+    {"pointtopoint", "point"},
+    {"p2pl", "plane"},
+    {"pointtoplane", "plane"},
+    {"camera", "depth"},
+}};
 
 std::string plain(std::string_view word) {
   std::string letters;
@@ -43,6 +89,12 @@ bool is_near(const std::string& word, const std::string& name) {
          (a.size() >= kMinPrefix && b.starts_with(a)) || has_all_parts(word, name);
 }
 
+std::string of_others(const std::string& word, const std::vector<std::string>& known) {
+  for (const auto& [theirs, ours] : kWordsOfOthers)
+    if (plain(word) == theirs && std::find(known.begin(), known.end(), ours) != known.end()) return std::string(ours);
+  return {};
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -62,7 +114,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string closest(const std::string& word, const std::vector<std::string>& known) {
   const auto distance = [&](const std::string& name) { return edit_distance(plain(word), plain(name)); };
-  std::string best;
+  std::string best = of_others(word, known);
+  if (!best.empty()) return best;
   for (const std::string& name : known)
     if (is_near(word, name) && (best.empty() || distance(name) < distance(best))) best = name;
   return best;

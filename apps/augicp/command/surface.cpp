@@ -10,6 +10,7 @@
 
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/inputs.h"
+#include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/nearest_rows.h"
@@ -70,6 +71,7 @@ PointFields fields_of_points(Input& input) {
 int run_surface(const SurfaceArguments& arguments) {
   arguments.registration.check();
   require_extension(arguments.output, {".ply"});
+  require_places({arguments.output});
   require_use_of(arguments.input, {arguments.input_file});
   std::optional<StepLine> line(std::in_place, arguments.quiet ? Progress::None : arguments.progress);
   line->show("reading", "reading " + arguments.input_file);

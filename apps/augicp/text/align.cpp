@@ -108,13 +108,31 @@ nlohmann::ordered_json uncertainty_json(const AlignReport& report) {
           {"at", std::vector<double>(report.centre.begin(), report.centre.end())}};
 }
 
+// A length as a person writes it: millimetres where they are fewer than a thousand.
+std::string length_text(double length_m) {
+  return length_m < 1.0 ? fmt::format("{:.3g} mm", 1000.0 * length_m) : fmt::format("{:.3g} m", length_m);
+}
+
+// Why so few points are left that nothing could be aligned.
+std::string few_points_text(const AlignReport& report) {
+  if (report.result.status != AlignStatus::TooFewPairs) return {};
+  const auto [source, target] = report.num_prepared;
+  const std::size_t num_read = std::min(report.num_read[0], report.num_read[1]);
+  std::string text = fmt::format("points   {} of the source and {} of the target are left of {} and {}", source, target,
+                                 report.num_read[0], report.num_read[1]);
+  if (num_read > 10 * std::min(source, target) && (report.options.voxel_size || report.options.radius))
+    text += fmt::format(", one a voxel of {:.4g} m: use a smaller {}", report.lengths.voxel_size,
+                        report.options.voxel_size ? "--voxel-size" : "--radius");
+  return text + "\n";
+}
+
 // The fit of what overlaps, as a person measures it: off the surface, not from point to point, which is the spacing.
 std::string fit_text(const AlignResult& result) {
   if (!result.evidence || result.evidence->residuals.point.count == 0)
     return fmt::format("pairs    {}, overlap {:.1f} %, rmse {:.4g} m\n", result.num_pairs, 100.0 * result.overlap,
                        result.rmse);
   const Residuals& residuals = result.evidence->residuals;
-  std::string text = fmt::format("fit      {:.3g} mm off the target's surface", 1000.0 * residuals.point.median);
+  std::string text = fmt::format("fit      {} off the target's surface", length_text(residuals.point.median));
   if (residuals.normal.count > 0)
     text += fmt::format(", normals {:.2g} deg apart", residuals.normal.median * kDegPerRad);
   return text + fmt::format(" (medians); overlap {:.1f} %, {} pairs\n", 100.0 * result.overlap, result.num_pairs);
@@ -123,7 +141,7 @@ std::string fit_text(const AlignResult& result) {
 std::string uncertainty_text(const AlignReport& report) {
   const std::optional<Uncertainty> sigma = uncertainty(report);
   if (!sigma) return {};
-  return fmt::format("sigma    {:.3g} mm, {:.2g} deg at the target's centre\n", 1000.0 * sigma->translation,
+  return fmt::format("sigma    {}, {:.2g} deg at the target's centre\n", length_text(sigma->translation),
                      sigma->rotation * kDegPerRad);
 }
 
@@ -157,7 +175,7 @@ std::string advice_for(AlignStatus status) {
     case AlignStatus::IterationLimit:
       return "doubtful: still moving; allow more with --max-iterations, or give a better --initial";
     case AlignStatus::Degenerate:
-      return "doubtful: the data do not constrain some direction of motion";
+      return "the data leave a motion free; do not rely on the pose along it";
     case AlignStatus::TooFewPairs:
       return "failed: too few points, or points without extent";
     case AlignStatus::NoOverlap:
@@ -205,9 +223,10 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
 
 std::string to_text(const AlignReport& report) {
   const AlignResult& result = report.result;
-  std::string text = fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iterations: {}\n", report.source,
-                                 report.target, name_of(result.status), result.iterations, advice_for(result.status));
-  text += fit_text(result) + uncertainty_text(report);
+  std::string text = fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iteration{}: {}\n", report.source,
+                                 report.target, name_of(result.status), result.iterations,
+                                 result.iterations == 1 ? "" : "s", advice_for(result.status));
+  text += few_points_text(report) + fit_text(result) + uncertainty_text(report);
   if (report.options.intensity)
     text += result.num_intensity_pairs > 0
                 ? fmt::format("         {} of them compared by brightness too\n", result.num_intensity_pairs)
