@@ -26,7 +26,8 @@ def compilations(tree):
     """Those of objects, by the object's path below the build folder."""
     listed = subprocess.run(["ninja", "-C", tree / BUILD, "-t", "compdb"], capture_output=True, text=True, check=True).stdout
     listed = listed[listed.index("["):]  # behind what Ninja prints of the folder
-    return {one["output"]: one["command"] for one in json.loads(listed) if one["output"].endswith(".o")}
+    return {one["output"]: one["command"] for one in json.loads(listed)
+            if one["output"].endswith(".o") and (tree / BUILD / one["output"]).exists()}
 
 
 def compile_elsewhere(command, tree, elsewhere):
