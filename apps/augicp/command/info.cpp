@@ -94,7 +94,7 @@ std::string info_text(const nlohmann::ordered_json& info) {
       "file     {}\nformat   {}\npoints   {} ({} declared, {} without a finite position within 1e18 m)\nnormals  {}\n"
       "columns  {}\n"
       "min      {}\nmax      {}\norigin   {}\n"
-      "lengths  extent {:.4g} m, ball radius {:.4g} m, voxel {:.4g} m, pair gate {:.4g} m (what align derives)\n",
+      "lengths  extent {:.4g} m; align derives --radius {:.4g} --voxel-size {:.4g} --max-distance {:.4g}\n",
       info["file"].get<std::string>(), info["format"].get<std::string>(), info["num_points"].get<std::uint64_t>(),
       info["num_declared"].get<std::uint64_t>(), info["num_invalid"].get<std::uint64_t>(),
       info["has_normals"].get<bool>() ? "yes" : "no", columns_text(info["columns"]), triple("min"), triple("max"),

@@ -72,10 +72,10 @@ nlohmann::ordered_json self_check_json(const SelfCheckSummary& summary) {
 
 std::string self_check_text(const SelfCheckSummary& summary) {
   return fmt::format(
-      "drift      {} scans against keyframes farther back: {:.1f} cm (median), {:.1f} cm and {:.2f} "
+      "drift      {} scan{} against keyframes farther back: {:.1f} cm (median), {:.1f} cm and {:.2f} "
       "degrees (largest), {} contradicted\n",
-      summary.num_checked, 100.0 * summary.median_drift_m, 100.0 * summary.max_drift_m, summary.max_drift_deg,
-      summary.num_contradicted);
+      summary.num_checked, summary.num_checked == 1 ? "" : "s", 100.0 * summary.median_drift_m,
+      100.0 * summary.max_drift_m, summary.max_drift_deg, summary.num_contradicted);
 }
 
 std::string counts_text(const OdometryRun& run) {
