@@ -71,7 +71,7 @@ std::string taken_word(const std::string& name, const py::handle& value, const s
 }
 
 void refuse_unknown(const std::string& name, const std::vector<std::string>& known) {
-  const py::list near = py::module_::import("difflib").attr("get_close_matches")(name, known);
+  const py::list near = py::module_::import("augicp._others").attr("near_options")(name, known);
   std::string text = "no option is called '" + name + "'";
   if (near.empty()) throw WrongType(text + "; there are " + joined(known));
   throw WrongType(text + "; did you mean " + joined(near.cast<std::vector<std::string>>()) + "?");
