@@ -115,6 +115,17 @@ class Lidar(unittest.TestCase):
             self.assertLess(np.abs(tum[k, 1:4] - pose[:, 3]).max(), 1e-6)
         self.assertLess(abs(tum[1, 0] - tum[0, 0] - 0.1), 1e-9)  # 10 scans a second
 
+    def test_scans_taken_at_once_are_not_deskewed(self):
+        """Their points are in the order of a sweep's, so that they could be one."""
+        result = run(self.scans, "--output", self.root / "auto", "--map", self.root / "auto.ply")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("by the order of the points", result.stdout)
+        poses = np.loadtxt(self.root / "auto/poses_kitti.txt").reshape(-1, 3, 4)
+        for k, pose in enumerate(poses):
+            true = np.linalg.inv(world_from_sensor(0)) @ world_from_sensor(k)
+            self.assertLess(np.linalg.norm(pose[:, 3] - true[:3, 3]), 0.03, k)
+        self.assertGreater(np.mean(distances_to_walls(points_of(self.root / "auto.ply")) < 0.05), 0.9)
+
     def timed_scans(self, name, times):
         """The scans as text PLY files with the time of each point in a field t."""
         folder = self.root / name

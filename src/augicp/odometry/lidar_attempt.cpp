@@ -52,11 +52,6 @@ constexpr double kMinRotationStep = 5e-5;
 // twice, three times. The motion found with a wrong one is still wrong by a part of it.
 constexpr double kRedoVoxels[] = {0.01, 0.05, 0.05};
 
-// Whether sweeps are skewed is found out on this many scans whose motion bends them by more than this, voxels. Clouds
-// that were straightened by another program, or come at another rate than that of the sweep, are not.
-constexpr int kNumTrials = 8;
-constexpr double kTrialVoxels = 0.25;
-
 // Two points share the voxel from which their directions come up to this far apart, voxels.
 constexpr double kCorrelationVoxels = 2.0;
 
@@ -195,22 +190,6 @@ LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& sc
     if (attempt.agreement > kClearGain * again.agreement) break;  // after a gap the mean motion may be wrong
     attempt = std::move(again);
   }
-  return attempt;
-}
-
-// The scan straightened or as it came: as the trials of earlier scans have decided, or both and the better one.
-LidarOdometry::Attempt LidarOdometry::tried(double stamp_s, const Cloud& scan, const SweepShares& shares) const {
-  const bool is_decided = num_trials_ >= kNumTrials;
-  const bool is_skewed = options_.deskew && !shares.empty() && (!is_decided || gain_of_deskewing_ > 0.0);
-  Attempt attempt = registered(stamp_s, scan, is_skewed ? shares : SweepShares{});
-  const double bent =
-      bending_between(motion_of_sweep(stamp_s, attempt.world_from_sensor), {}, typical_distance(voxel_size_));
-  if (!is_skewed || is_decided || bent < kTrialVoxels * voxel_size_) return attempt;
-  Attempt as_it_came = prepared(scan, {}, SweepMotion{});
-  align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, as_it_came);
-  const double gain = attempt.agreement - as_it_came.agreement;
-  if (gain_of_deskewing_ + gain < 0.0) std::swap(attempt, as_it_came);
-  attempt.gain_of_deskewing = gain;
   return attempt;
 }
 

@@ -15,8 +15,7 @@ struct LidarOdometry::Attempt {
   Rigid3 world_from_sensor;
   double agreement = 0.0, rmse = 0.0;
   int iterations = 0;
-  std::optional<SweepMotion> motion;        // with which it was straightened
-  std::optional<double> gain_of_deskewing;  // of the agreement, where both were tried
+  std::optional<SweepMotion> motion;  // with which it was straightened
 };
 
 // From where a registration to the map begins.

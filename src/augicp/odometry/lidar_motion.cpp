@@ -74,13 +74,13 @@ SweepMotion LidarOdometry::motion_of_start(double stamp_s, const Rigid3& world_f
   return later_by(-sweeps, motion_of_sweep(stamp_s, world_from_sensor));
 }
 
-void LidarOdometry::restart_from(const SweepMotion& motion) {
-  start_scan_->motion = motion;
-  Attempt attempt = prepared(start_scan_->cloud, start_scan_->shares, motion);
-  attempt.world_from_sensor = start_scan_->pose.world_from_camera;
+// The map begins anew with this scan, where it was placed.
+void LidarOdometry::restart_map_with(const TimedScan& scan, bool is_skewed) {
+  Attempt attempt = prepared(scan.cloud, is_skewed ? scan.shares : SweepShares{}, scan.motion);
+  attempt.world_from_sensor = scan.pose.world_from_camera;
   map_ = empty_map();
   self_check_.clear();
-  merge(start_scan_->pose.stamp_s, attempt);
+  merge(scan.pose.stamp_s, attempt);
 }
 
 // The first scan of a segment was taken as it came: only the second one shows how the sensor moved then, and the third
@@ -93,7 +93,8 @@ void LidarOdometry::straighten_start(double stamp_s, const Cloud& scan, const Sw
     if (status_of(attempt) == FrameStatus::Lost) break;
     const SweepMotion found = motion_of_start(stamp_s, attempt.world_from_sensor);
     if (bending_between(found, start_scan_->motion, typical_distance(voxel_size_)) < least) break;
-    restart_from(found);
+    start_scan_->motion = found;
+    restart_map_with(*start_scan_, true);
   }
   if (is_third) start_scan_.reset();
 }

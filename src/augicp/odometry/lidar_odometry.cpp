@@ -135,7 +135,8 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   merge(report.stamp_s, attempt);
   start_scan_.reset();
   if (options_.deskew && !shares.empty())
-    start_scan_ = StartScan{scan, shares, {report.stamp_s, report.world_from_camera}, {}};
+    start_scan_ = TimedScan{scan, shares, {report.stamp_s, report.world_from_camera}, {}};
+  skew_reference_ = skew_votes_.is_decided() ? std::nullopt : start_scan_;
   usual_agreement_ = prediction_error_ = 0.0;
   before_last_.reset();
   beyond_arc_ = {};
@@ -179,12 +180,18 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
   }
   const Rigid3 guess = predicted(stamp_s);
   if (is_after_pause(stamp_s)) start_scan_.reset();
+  const bool is_skewed = is_taken_as_skewed(shares);
+  if (!is_skewed) start_scan_.reset();
   if (start_scan_) straighten_start(stamp_s, scan, shares);
-  const Attempt attempt = tried(stamp_s, scan, shares);
+  const Attempt attempt = registered(stamp_s, scan, is_skewed ? shares : SweepShares{});
   report.status = status_of(attempt);
   if (report.status == FrameStatus::Tracked) report.drift = checked(attempt);
   describe(attempt, report);
+  const SweepMotion motion = motion_of_sweep(stamp_s, attempt.world_from_sensor);
+  const bool shows_skew = options_.deskew && !shares.empty() && report.status == FrameStatus::Tracked &&
+                          (!before_last_ || spans_since_last(stamp_s) <= kTrustedSpans);
   follow(attempt, guess, report);
+  if (shows_skew) try_skew({scan, shares, {stamp_s, attempt.world_from_sensor}, motion});
   return report;
 }
 
@@ -218,7 +225,6 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
     report.status = FrameStatus::Doubtful;
     report.problem = "a direct registration to a keyframe farther back contradicts";
   }
-  if (attempt.gain_of_deskewing) gain_of_deskewing_ += *attempt.gain_of_deskewing, ++num_trials_;
   const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
   // A prediction across a pause that was right shows that the sensor goes on as it moved.
   const bool has_paused = is_after_pause(report.stamp_s) && error > options_.gate_voxels * voxel_size_;

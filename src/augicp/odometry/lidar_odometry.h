@@ -14,6 +14,7 @@
 #include "augicp/odometry/lidar_memory.h"
 #include "augicp/odometry/odometry.h"
 #include "augicp/odometry/self_check.h"
+#include "augicp/odometry/skew_trial.h"
 #include "augicp/odometry/surface_map.h"
 #include "augicp/shutter/sweep.h"
 
@@ -55,8 +56,8 @@ struct LidarOptions {
   double gate_voxels = 1.0;
   double on_surface_voxels = 0.15;
 
-  // Sweeps are straightened with the motion found, if the first ones that bend agree better with the map so. false:
-  // scans are used as they came.
+  // Sweeps are straightened with the motion found, unless the first ones that bend show that they are straight already.
+  // false: scans are used as they came.
   bool deskew = true;
 
   // Poses refer to this moment. The first one of a segment, and those of scans without shares, refer to the middle.
@@ -135,11 +136,11 @@ class LidarOdometry {
     Rigid3 world_from_sensor;
   };
 
-  struct StartScan {
+  struct TimedScan {  // as it came
     Cloud cloud;
     SweepShares shares;
     StampedPose pose;
-    SweepMotion motion;  // with which it was straightened
+    SweepMotion motion;  // during its sweep
   };
 
   struct Accelerations {  // in the sensor's frame, per sweep^2
@@ -158,7 +159,7 @@ class LidarOdometry {
   FrameReport placed(double stamp_s, const Cloud& scan, const SweepShares& shares);
   void start_segment(const Cloud& scan, const SweepShares& shares, FrameReport& report);
   SweepMotion motion_of_start(double stamp_s, const Rigid3& world_from_sensor) const;
-  void restart_from(const SweepMotion& motion);
+  void restart_map_with(const TimedScan& scan, bool is_skewed);
   void straighten_start(double stamp_s, const Cloud& scan, const SweepShares& shares);
   SurfaceMap empty_map() const;
   Attempt prepared(const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
@@ -168,7 +169,8 @@ class LidarOdometry {
   Attempt from(const Start& start, const Cloud& scan, const SweepShares& shares) const;
   Attempt started(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
-  Attempt tried(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
+  bool is_taken_as_skewed(const SweepShares& shares) const;
+  void try_skew(const TimedScan& scan);
   void search(Attempt& attempt) const;
   bool is_check_due() const;
   bool is_search_due() const;
@@ -190,15 +192,15 @@ class LidarOdometry {
   std::optional<Keyframe> keyframe_;
   SelfCheck self_check_;
   int num_since_check_ = 0;
-  std::optional<StartScan> start_scan_;            // as it came, until two more show how the sensor moved
+  std::optional<TimedScan> start_scan_;            // until two more show how the sensor moved
   std::optional<StampedPose> before_last_, last_;  // of this segment
   Accelerations beyond_arc_;                       // averaged
   std::optional<double> last_stamp_s_;             // of any scan
   double shortest_gap_s_ = 0.0;
   double prediction_error_ = 0.0;  // metres at the distance of a typical point, of the last scans
   double usual_agreement_ = 0.0;
-  double gain_of_deskewing_ = 0.0;  // of the agreement, summed over the trials
-  int num_trials_ = 0;
+  SkewVotes skew_votes_;
+  std::optional<TimedScan> skew_reference_;  // until the votes have decided
   bool is_last_degenerate_ = false;
   int num_lost_ = 0;
   int segment_ = 0;

@@ -24,7 +24,7 @@ void for_each_option(Options& options, const Visit& visit) {
         options.gate_voxels);
   visit({"on_surface_voxels", None, kGroup, "A point counts as on a surface that is nearer than this, voxels"},
         options.on_surface_voxels);
-  visit({"deskew", None, kGroup, "Sweeps are straightened if the first ones then agree better with the map"},
+  visit({"deskew", None, kGroup, "Sweeps are straightened unless the first ones show that they are straight"},
         options.deskew);
   visit({"pose_at", None, kGroup, "The moment of a sweep to which its pose refers"}, options.pose_at);
   visit({"sweep_s", Seconds, kGroup, "How long a sweep takes; 0: the shortest time between two scans"},
