@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -95,6 +97,45 @@ TEST(SelfCheck, APoseThatHasDriftedIsContradicted) {
   ASSERT_TRUE(turned);
   EXPECT_TRUE(turned->contradicts);
   EXPECT_NEAR(turned->drift_deg, 0.05 * kDegPerRad, 0.1);
+}
+
+// The scan with more points on a level plane far below, where a drift along the street moves none of them off.
+Cloud above_a_plane(Cloud scan, int points_per_edge) {
+  constexpr float kSpacing = 0.5f, kDepth = 30.0f;
+  for (int i = 0; i < points_per_edge; ++i)
+    for (int k = 0; k < points_per_edge; ++k) {
+      const auto place = [&](int n) {
+        return kSpacing * (static_cast<float>(n) - 0.5f * static_cast<float>(points_per_edge));
+      };
+      scan.points.push_back({place(i), place(k), -kDepth});
+      scan.directions.push_back(Vec3f::UnitZ());
+      scan.structures.push_back(Structure::Planar);
+    }
+  return scan;
+}
+
+// The more points lie on surfaces along which the sensor moves, the fewer does the direct pose gain.
+TEST(SelfCheck, ADriftContradictsOnlyIfATwentiethMorePointsAreOnSurfaces) {
+  const Pair& pair = street_pair();
+  const Rigid3 along{Eigen::Quaterniond::Identity(), {0.6, 0.0, 0.0}};
+  double most_without = 0.0, least_with = std::numeric_limits<double>::infinity();
+  for (const int points_per_edge : {0, 20, 30, 40, 60, 80}) {
+    SelfCheck check;
+    check.remember(0.0, above_a_plane(pair.keyframe, 2 * points_per_edge), pair.world_from_keyframe, std::nullopt,
+                   kVoxel);
+    const auto found = check.check(above_a_plane(pair.scan, points_per_edge), pair.world_from_scan * along,
+                                   std::nullopt, check_options());
+    ASSERT_TRUE(found);
+    ASSERT_GT(found->drift_m, check_options().on_surface + 2.0 * found->expected_m);
+    const double gain = found->share_direct / found->share_chained;
+    EXPECT_EQ(found->contradicts, gain > 1.05) << points_per_edge << ' ' << gain;
+    if (found->contradicts)
+      least_with = std::min(least_with, gain);
+    else
+      most_without = std::max(most_without, gain);
+  }
+  EXPECT_GT(most_without, 1.03);
+  EXPECT_LT(least_with, 1.07);
 }
 
 // A pose whose covariance allows the drift is not contradicted, but the drift is reported.
