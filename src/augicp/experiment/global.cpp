@@ -33,16 +33,21 @@ GlobalOutcome registered(const GlobalPair& pair, std::mt19937& generator, const 
   const double begin_ms = now_ms();
   const AlignResult result =
       register_scans(scan_of(std::move(source)), scan_of(*pair.target), {}, options.registration).result;
-  GlobalOutcome outcome{pair.family, pair.source_name, pair.target_name, {}, result.status, now_ms() - begin_ms};
+  GlobalOutcome outcome{pair.family,   pair.source_name,    pair.target_name,  {},
+                        result.status, now_ms() - begin_ms, pair.length_scale, result.evidence};
   if (pair.target_from_source) outcome.error = pose_error(result.target_from_source * motion, *pair.target_from_source);
   return outcome;
 }
 
+bool is_within_scaled(const GlobalOutcome& outcome, const PoseError& limit) {
+  return outcome.error && is_within(*outcome.error, {outcome.length_scale * limit.translation, limit.rotation});
+}
+
 void add(const GlobalOutcome& outcome, const GlobalOptions& options, GlobalRow& row) {
-  const bool is_found = outcome.error && is_within(*outcome.error, options.found);
+  const bool is_found = is_within_scaled(outcome, options.found);
   ++row.num_pairs;
   row.num_found += is_found;
-  row.num_fine += outcome.error && is_within(*outcome.error, options.fine);
+  row.num_fine += is_within_scaled(outcome, options.fine);
   if (outcome.status == AlignStatus::Converged)
     ++(is_found ? row.right_converged : row.wrong_converged);
   else
@@ -81,7 +86,7 @@ std::vector<GlobalRow> summary(std::span<const GlobalOutcome> outcomes, const Gl
       if (outcome.family != first.family) continue;
       add(outcome, options, row);
       times.push_back(outcome.time_ms);
-      if (!outcome.error || !is_within(*outcome.error, options.found)) continue;
+      if (!is_within_scaled(outcome, options.found)) continue;
       distances.push_back(outcome.error->translation);
       angles.push_back(outcome.error->rotation);
     }
@@ -102,7 +107,7 @@ std::vector<GlobalPair> pairs_of_fragments(const std::string& name, const std::v
       const double overlap = overlap_of(source.cloud, target.cloud, truth, kOverlapDistance);
       if (overlap < kLittleOverlap) continue;
       pairs.push_back({name + (overlap < kOverlap ? " 10-30 %" : " 30 %"), std::to_string(source.first_frame),
-                       std::to_string(target.first_frame), &source.cloud, &target.cloud, truth});
+                       std::to_string(target.first_frame), &source.cloud, &target.cloud, truth, 1.0});
     }
   return pairs;
 }

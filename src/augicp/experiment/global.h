@@ -11,6 +11,7 @@
 #include "augicp/experiment/fragments.h"
 #include "augicp/experiment/pose_error.h"
 #include "augicp/registration/options.h"
+#include "augicp/trust/verdict.h"
 
 namespace augicp {
 
@@ -19,6 +20,7 @@ struct GlobalPair {
   const Cloud* source = nullptr;  // must outlive the pair
   const Cloud* target = nullptr;
   std::optional<Rigid3> target_from_source;  // not set: they have no common surface
+  double length_scale = 1.0;                 // of the lengths in GlobalOptions::found and fine
 };
 
 struct GlobalOptions {
@@ -36,7 +38,9 @@ struct GlobalOutcome {
   std::string family, source_name, target_name;
   std::optional<PoseError> error;  // not set: there is no common surface
   AlignStatus status = AlignStatus::TooFewPairs;
-  double time_ms = 0.0;  // of preparation and registration, by the clock that is given
+  double time_ms = 0.0;                             // of preparation and registration, by the clock that is given
+  double length_scale = 1.0;                        // of the pair
+  std::optional<Evidence> evidence = std::nullopt;  // of the pose, if there is one
 };
 
 // The source of each pair is moved by a random rotation and translation first, and the place of its sensor with it.

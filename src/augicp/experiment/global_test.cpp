@@ -25,7 +25,7 @@ TEST(GlobalExperiment, APairThatMeetsIsFoundAndFine) {
   GlobalOptions options;
   options.num_rotations = 3;
   options.registration.global = true;
-  const std::vector<GlobalPair> pairs{{"brackets", "1", "2", &source, &target, Rigid3{}}};
+  const std::vector<GlobalPair> pairs{{"brackets", "1", "2", &source, &target, Rigid3{}, 0.1}};
   int num_calls = 0;
   const auto rows = summary(run_global(pairs, options, no_time, [&] { ++num_calls; }), options);
   ASSERT_EQ(rows.size(), 1u);
@@ -58,6 +58,19 @@ TEST(GlobalExperiment, OutcomesAreCountedByFamily) {
   EXPECT_EQ(rows[0].median_ms, 2.0);
   EXPECT_EQ(rows[1].wrong_converged, 1u);
   EXPECT_EQ(rows[1].others, 1u);
+}
+
+TEST(GlobalExperiment, LengthsOfFoundAndFineAreScaled) {
+  const PoseError error{0.04, 0.01};
+  const auto row_of = [&](double length_scale) {
+    const std::vector<GlobalOutcome> outcomes{{"a", "", "", error, AlignStatus::Converged, 1.0, length_scale}};
+    return summary(outcomes, {}).front();
+  };
+  EXPECT_EQ(row_of(1.0).num_fine, 1u);
+  EXPECT_EQ(row_of(0.5).num_fine, 0u);
+  EXPECT_EQ(row_of(0.5).num_found, 1u);
+  EXPECT_EQ(row_of(0.1).num_found, 0u);
+  EXPECT_EQ(row_of(0.1).wrong_converged, 1u);
 }
 
 TEST(GlobalExperiment, OverlapIsOfTheCloudThatSharesLess) {
