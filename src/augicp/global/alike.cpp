@@ -2,6 +2,7 @@
 #include "augicp/global/alike.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "augicp/core/parallel.h"
@@ -42,50 +43,68 @@ void dot_products(const Descriptor* rows, const float* numbers, std::size_t widt
   }
 }
 
-// The indices of the largest values, largest first; of equal ones the lower index.
-std::vector<std::uint32_t> largest(std::span<const float> values, std::size_t count) {
-  std::vector<std::pair<float, std::uint32_t>> best;
-  for (std::uint32_t j = 0; j < values.size(); ++j) {
-    if (best.size() == count && values[j] <= best.back().first) continue;
-    const auto place =
-        std::find_if(best.begin(), best.end(), [&](const auto& other) { return values[j] > other.first; });
-    best.insert(place, {values[j], j});
-    if (best.size() > count) best.pop_back();
+// The largest number seen at each place, and which row it was of; of equal ones the first row.
+struct LargestOf {
+  std::vector<float> number;
+  std::vector<std::uint32_t> row;
+
+  explicit LargestOf(std::size_t width) : number(width, -std::numeric_limits<float>::infinity()), row(width, 0) {}
+};
+
+AUGICP_VECTORIZED
+void take_larger(const float* numbers, std::size_t width, std::uint32_t row, float* largest, std::uint32_t* rows) {
+  for (std::size_t j = 0; j < width; ++j) {
+    const bool is_larger = numbers[j] > largest[j];
+    largest[j] = is_larger ? numbers[j] : largest[j];
+    rows[j] = is_larger ? row : rows[j];
   }
-  std::vector<std::uint32_t> indices;
-  for (const auto& [value, index] : best) indices.push_back(index);
-  return indices;
 }
 
-std::vector<std::vector<std::uint32_t>> most_alike(const std::vector<Descriptor>& queries, const SideBySide& others,
-                                                   std::size_t count, int num_threads) {
-  std::vector<std::vector<std::uint32_t>> found(queries.size());
+std::uint32_t index_of_largest(std::span<const float> numbers) {
+  return static_cast<std::uint32_t>(std::max_element(numbers.begin(), numbers.end()) - numbers.begin());
+}
+
+// Each query's most similar other, and each other's most similar query. All queries of a block before the next ones.
+struct MostAlike {
+  std::vector<std::uint32_t> of_query, of_other;
+};
+MostAlike most_alike(const std::vector<Descriptor>& queries, const SideBySide& others, int num_threads) {
+  const std::size_t num_blocks = (queries.size() + kQueriesPerBlock - 1) / kQueriesPerBlock;
+  std::vector<LargestOf> of_block(num_blocks, LargestOf(others.width));
+  MostAlike found{std::vector<std::uint32_t>(queries.size()), {}};
   const auto search = [&](std::size_t begin, std::size_t end) {
+    LargestOf& of_others = of_block[begin / kQueriesPerBlock];
     std::vector<float> sums(kRows * others.width);
     for (std::size_t i = begin; i < end; i += kRows) {
       Descriptor rows[kRows] = {};
       const std::size_t num_rows = std::min(kRows, end - i);
       std::copy_n(queries.begin() + static_cast<std::ptrdiff_t>(i), num_rows, rows);
       dot_products(rows, others.numbers.data(), others.width, sums.data());
-      for (std::size_t r = 0; r < num_rows; ++r)
-        found[i + r] = largest({sums.data() + r * others.width, others.count}, count);
+      for (std::size_t r = 0; r < num_rows; ++r) {
+        const float* of_row = sums.data() + r * others.width;
+        found.of_query[i + r] = index_of_largest({of_row, others.count});
+        take_larger(of_row, others.width, static_cast<std::uint32_t>(i + r), of_others.number.data(),
+                    of_others.row.data());
+      }
     }
   };
   for_each_block(queries.size(), num_threads, search, kQueriesPerBlock);
+  LargestOf all(others.width);
+  for (const LargestOf& block : of_block)
+    for (std::size_t j = 0; j < others.count; ++j)
+      if (block.number[j] > all.number[j]) all.number[j] = block.number[j], all.row[j] = block.row[j];
+  found.of_other.assign(all.row.begin(), all.row.begin() + static_cast<std::ptrdiff_t>(others.count));
   return found;
 }
 
 }  // namespace
 
-std::vector<Correspondence> alike_pairs(const KeyPoints& source, const KeyPoints& target, std::size_t count,
-                                        int num_threads) {
-  const auto of_source = most_alike(source.descriptors, SideBySide(target.descriptors), count, num_threads);
-  const auto of_target = most_alike(target.descriptors, SideBySide(source.descriptors), count, num_threads);
+std::vector<Correspondence> alike_pairs(const KeyPoints& source, const KeyPoints& target, int num_threads) {
+  if (source.size() == 0 || target.size() == 0) return {};
+  const MostAlike found = most_alike(source.descriptors, SideBySide(target.descriptors), num_threads);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::uint32_t i = 0; i < of_source.size(); ++i)
-    for (const std::uint32_t j : of_source[i]) pairs.emplace_back(i, j);
-  for (std::uint32_t j = 0; j < of_target.size(); ++j)
-    for (const std::uint32_t i : of_target[j]) pairs.emplace_back(i, j);
+  for (std::uint32_t i = 0; i < source.size(); ++i) pairs.emplace_back(i, found.of_query[i]);
+  for (std::uint32_t j = 0; j < target.size(); ++j) pairs.emplace_back(found.of_other[j], j);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<Correspondence> alike;

@@ -9,10 +9,9 @@
 
 namespace augicp {
 
-// Pairs of points with similar descriptors: of each source point the `count` most similar target points, and of each
-// target point the `count` most similar source points; each pair once, in ascending order. All are compared with all.
-// The result is bit-identical for any number of threads.
-std::vector<Correspondence> alike_pairs(const KeyPoints& source, const KeyPoints& target, std::size_t count,
-                                        int num_threads);
+// Pairs of points with similar descriptors: of each source point the most similar target point, and of each target
+// point the most similar source point; each pair once, in ascending order. All are compared with all. The result is
+// bit-identical for any number of threads.
+std::vector<Correspondence> alike_pairs(const KeyPoints& source, const KeyPoints& target, int num_threads);
 
 }  // namespace augicp

@@ -31,24 +31,36 @@ struct Keyed {
   bool operator<(const Keyed& other) const { return key != other.key ? key < other.key : index < other.index; }
 };
 
+// Points in the order of their cubes, with their indices.
+struct Sorted {
+  std::vector<float> x, y, z;
+  std::vector<std::uint32_t> index;
+};
+
 // The support in cubes as wide as the radius, so that a ball lies within nine columns of three cubes.
 class Cubes {
  public:
   Cubes(const std::vector<Vec3f>& support, double radius)
-      : support_(support), corner_(support.empty() ? Vec3f(Vec3f::Zero()) : support.front()), radius_(radius) {
-    for (std::uint32_t i = 0; i < support.size(); ++i) keyed_.push_back({key_of(cell_of(support[i])), i});
-    std::sort(keyed_.begin(), keyed_.end());
+      : corner_(support.empty() ? Vec3f(Vec3f::Zero()) : support.front()), radius_(radius) {
+    std::vector<Keyed> keyed;
+    for (std::uint32_t i = 0; i < support.size(); ++i) keyed.push_back({key_of(cell_of(support[i])), i});
+    std::sort(keyed.begin(), keyed.end());
+    for (const auto& [key, i] : keyed) {
+      keys_.push_back(key);
+      sorted_.x.push_back(support[i].x()), sorted_.y.push_back(support[i].y()), sorted_.z.push_back(support[i].z());
+      sorted_.index.push_back(i);
+    }
   }
 
   void append_within(const Vec3f& query, std::vector<std::uint32_t>& found) const {
     const Cell middle = cell_of(query);
-    const auto radius_sq = static_cast<float>(radius_ * radius_);
     for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x)
       for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
-        const std::uint64_t last = key_of({x, y, middle.z + 1});
-        auto at = std::lower_bound(keyed_.begin(), keyed_.end(), Keyed{key_of({x, y, middle.z - 1}), 0});
-        for (; at != keyed_.end() && at->key <= last; ++at)
-          if ((support_[at->index] - query).squaredNorm() <= radius_sq) found.push_back(at->index);
+        const auto begin = std::lower_bound(keys_.begin(), keys_.end(), key_of({x, y, middle.z - 1}));
+        const auto end = std::find_if(begin, keys_.end(),
+                                      [last = key_of({x, y, middle.z + 1})](std::uint64_t key) { return key > last; });
+        append_of(static_cast<std::size_t>(begin - keys_.begin()), static_cast<std::size_t>(end - keys_.begin()), query,
+                  found);
       }
   }
 
@@ -59,10 +71,24 @@ class Cubes {
     return {whole(place.x()), whole(place.y()), whole(place.z())};
   }
 
-  const std::vector<Vec3f>& support_;
+  // Of the points in [begin, end). Each index is written, and kept if the next one does not replace it: a third of them
+  // are within, and a branch would often be predicted wrongly.
+  void append_of(std::size_t begin, std::size_t end, const Vec3f& query, std::vector<std::uint32_t>& found) const {
+    const auto radius_sq = static_cast<float>(radius_ * radius_);
+    std::size_t size = found.size();
+    found.resize(size + end - begin);
+    for (std::size_t k = begin; k < end; ++k) {
+      const float x = sorted_.x[k] - query.x(), y = sorted_.y[k] - query.y(), z = sorted_.z[k] - query.z();
+      found[size] = sorted_.index[k];
+      size += x * x + (y * y + z * z) <= radius_sq ? 1 : 0;
+    }
+    found.resize(size);
+  }
+
   Vec3f corner_;
   double radius_;
-  std::vector<Keyed> keyed_;
+  std::vector<std::uint64_t> keys_;
+  Sorted sorted_;
 };
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace augicp {
 // depends on the clouds only. Thread safety: const calls may run concurrently.
 class BallLists {
  public:
+  BallLists() = default;  // of no query
+
   // Both clouds must have the same origin. radius: metres, above 0. REQUIRES: the support spans fewer than 2^20 radii.
   BallLists(const std::vector<Vec3f>& queries, const std::vector<Vec3f>& support, double radius, int num_threads);
 

@@ -36,7 +36,7 @@ std::vector<SeedPose> candidate_poses(const Cloud& source, const Cloud& target, 
   };
   const KeyPoints from = described_of(source), to = described_of(target);
   throw_if_stopped(options.stop);
-  const auto pairs = alike_pairs(from, to, options.max_pairs, options.num_threads);
+  const auto pairs = alike_pairs(from, to, options.num_threads);
   throw_if_stopped(options.stop);
   const ConsistencyGraph graph(from, to, pairs, consistency_limits(voxel_size), options.num_threads);
   throw_if_stopped(options.stop);

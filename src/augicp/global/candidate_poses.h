@@ -13,7 +13,6 @@ struct CandidateOptions {
   double voxel_size = 0.0;            // metres, above 0; larger for clouds with more than max_points
   std::size_t max_points = 5000;      // of each cloud, after downsampling
   std::size_t max_key_points = 1500;  // of each cloud, that are described
-  std::size_t max_pairs = 1;          // of each key point
   std::size_t max_poses = 60;
   int num_threads = 0;
   std::stop_token stop{};

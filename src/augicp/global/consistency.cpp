@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/global/consistency.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -10,7 +11,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kBits = 64, kRowsPerBlock = 64;
+constexpr std::size_t kBits = 64, kRowsPerBlock = kBits;
 
 // A column for each coordinate of the points and normals of one side of the pairs.
 struct Columns {
@@ -59,12 +60,21 @@ struct Limits {
 // Numbers are combined without a branch.
 AUGICP_INLINE std::int32_t number(bool is_true) { return is_true ? 1 : 0; }
 
+// Number k in bit k.
+AUGICP_INLINE std::uint32_t packed(const std::int32_t* is_set) {
+  constexpr std::size_t kHalf = kBits / 2;
+  std::uint32_t all = 0;
+  for (std::size_t k = 0; k < kHalf; ++k) all |= static_cast<std::uint32_t>(-is_set[k]) & (std::uint32_t{1} << k);
+  return all;
+}
+
+// The words of row a from first_word on.
 AUGICP_VECTORIZED
-void consistent_bits(const View& source, const View& target, std::size_t a, std::size_t words, const Limits& limits,
-                     std::uint64_t* bits) {
+void consistent_bits(const View& source, const View& target, std::size_t a, std::size_t first_word, std::size_t words,
+                     const Limits& limits, std::uint64_t* bits) {
   Invariants s, t;
   alignas(64) std::int32_t is_consistent[kBits];
-  for (std::size_t word = 0; word < words; ++word) {
+  for (std::size_t word = first_word; word < words; ++word) {
     invariants(source, a, word * kBits, s);
     invariants(target, a, word * kBits, t);
     for (std::size_t k = 0; k < kBits; ++k)
@@ -73,10 +83,19 @@ void consistent_bits(const View& source, const View& target, std::size_t a, std:
                          number(std::abs(s.first[k] - t.first[k]) <= limits.cosine) &
                          number(std::abs(s.second[k] - t.second[k]) <= limits.cosine) &
                          number(std::abs(s.between[k] - t.between[k]) <= limits.cosine);
-    std::uint64_t packed = 0;
-    for (std::size_t k = 0; k < kBits; ++k) packed |= static_cast<std::uint64_t>(is_consistent[k]) << k;
-    bits[word] = packed;
+    bits[word] = packed(is_consistent) | static_cast<std::uint64_t>(packed(is_consistent + kBits / 2)) << kBits / 2;
   }
+}
+
+// Bit k of word i becomes bit i of word k: H. S. Warren, "Hacker's Delight", 7-3.
+void transpose(std::array<std::uint64_t, kBits>& words) {
+  std::uint64_t mask = 0x00000000ffffffffu;
+  for (std::size_t width = kBits / 2; width != 0; width /= 2, mask ^= mask << width)
+    for (std::size_t k = 0; k < kBits; k = ((k | width) + 1) & ~width) {
+      const std::uint64_t swapped = (words[k] >> width ^ words[k | width]) & mask;
+      words[k] ^= swapped << width;
+      words[k | width] ^= swapped;
+    }
 }
 
 AUGICP_VECTORIZED
@@ -100,15 +119,25 @@ ConsistencyGraph::ConsistencyGraph(const KeyPoints& source, const KeyPoints& tar
   // The columns beyond the last correspondence are padding.
   const std::size_t in_last = size_ % kBits;
   const std::uint64_t last_word = in_last == 0 ? ~std::uint64_t{0} : (std::uint64_t{1} << in_last) - 1;
+  // Consistency is symmetric, also in the last bit: the words above the diagonal, and those below from them.
   const auto fill = [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = begin; a < end; ++a) {
       std::uint64_t* const bits = bits_.data() + a * words_;
-      consistent_bits(from, to, a, words_, within, bits);
+      consistent_bits(from, to, a, a / kBits, words_, within, bits);
       bits[words_ - 1] &= last_word;
       bits[a / kBits] &= ~(std::uint64_t{1} << (a % kBits));
     }
   };
   for_each_block(size_, num_threads, fill, kRowsPerBlock);
+  const auto mirror = [&](std::size_t begin, std::size_t end) {
+    std::array<std::uint64_t, kBits> words;
+    for (std::size_t above = 0; above < begin / kBits; ++above) {
+      for (std::size_t k = 0; k < kBits; ++k) words[k] = bits_[(above * kBits + k) * words_ + begin / kBits];
+      transpose(words);
+      for (std::size_t a = begin; a < end; ++a) bits_[a * words_ + above] = words[a - begin];
+    }
+  };
+  for_each_block(size_, num_threads, mirror, kBits);
 }
 
 std::vector<std::uint32_t> ConsistencyGraph::consistent_with(std::size_t a) const {

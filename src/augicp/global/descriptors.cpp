@@ -2,8 +2,7 @@
 #include "augicp/global/descriptors.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <functional>
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/parallel.h"
@@ -12,7 +11,6 @@
 namespace augicp {
 namespace {
 
-constexpr double kRadiusVoxels = 5.0;
 constexpr double kCoarser = 2.0;  // the large ball is of the same cloud with voxels of twice the size
 constexpr std::size_t kPointsPerBlock = 128;
 
@@ -34,30 +32,50 @@ std::vector<std::uint32_t> most_varied(const KeyCloud& cloud, std::size_t max_co
   return chosen;
 }
 
-std::vector<PairHistogram> simple_histograms(const ExtendedPoints& of, const ExtendedPoints& support,
-                                             const BallLists& balls, bool has_signs, int num_threads) {
-  std::vector<PairHistogram> histograms(of.points.size());
+// The key points, and the points around each in a cloud.
+struct Asked {
+  ExtendedPoints points;
+  std::function<std::span<const std::uint32_t>(std::size_t)> around;
+  std::span<const std::uint32_t> in_cloud;  // their own indices; empty if they are not of the cloud
+};
+
+// Which points of the cloud are around a key point.
+std::vector<bool> is_around(const Asked& asked, std::size_t cloud_size) {
+  std::vector<bool> is_asked(cloud_size, false);
+  for (std::size_t i = 0; i < asked.points.points.size(); ++i)
+    for (const std::uint32_t j : asked.around(i)) is_asked[j] = true;
+  return is_asked;
+}
+
+// Of those points of a cloud: with the points around each.
+std::vector<PairHistogram> simple_histograms(const KeyCloud& cloud, const std::vector<bool>& is_asked,
+                                             int num_threads) {
+  const ExtendedPoints all{cloud.points, cloud.normals};
+  std::vector<PairHistogram> histograms(cloud.size());
   const auto count = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      histograms[i] = pair_histogram({of.points[i], of.normals[i]}, support, balls.around(i), has_signs);
+      if (is_asked[i]) histograms[i] = pair_histogram(all[i], all, cloud.balls.around(i), cloud.has_signs());
   };
   for_each_block(histograms.size(), num_threads, count, kPointsPerBlock);
   return histograms;
 }
 
-// Of each point: its own histogram, averaged with the histograms of the points around it.
-std::vector<PairHistogram> fast_histograms(const ExtendedPoints& of, const KeyCloud& support, int num_threads) {
-  const double radius = kRadiusVoxels * support.voxel_size;
-  const ExtendedPoints around{support.points, support.normals};
-  const BallLists of_support(support.points, support.points, radius, num_threads);
-  const auto theirs = simple_histograms(around, around, of_support, support.has_signs(), num_threads);
-  const BallLists balls(of.points, support.points, radius, num_threads);
-  auto histograms = simple_histograms(of, around, balls, support.has_signs(), num_threads);
+// Of each key point: its own histogram, averaged with the histograms of the points around it.
+std::vector<PairHistogram> fast_histograms(const Asked& asked, const KeyCloud& cloud, int num_threads) {
+  const std::size_t num_asked = asked.points.points.size();
+  const ExtendedPoints all{cloud.points, cloud.normals};
+  const SidedHistograms theirs(simple_histograms(cloud, is_around(asked, cloud.size()), num_threads));
+  std::vector<PairHistogram> histograms(num_asked);
   const auto add = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      histograms[i] += mean_around({of.points[i], of.normals[i]}, around, theirs, balls.around(i), support.has_signs());
+    for (std::size_t i = begin; i < end; ++i) {
+      const ExtendedPoint point = asked.points[i];
+      const bool is_known = !asked.in_cloud.empty();
+      histograms[i] =
+          is_known ? theirs.same[asked.in_cloud[i]] : pair_histogram(point, all, asked.around(i), cloud.has_signs());
+      histograms[i] += mean_around(point, all, theirs, asked.around(i), cloud.has_signs());
+    }
   };
-  for_each_block(histograms.size(), num_threads, add, kPointsPerBlock);
+  for_each_block(num_asked, num_threads, add, kPointsPerBlock);
   return histograms;
 }
 
@@ -65,13 +83,17 @@ std::vector<PairHistogram> fast_histograms(const ExtendedPoints& of, const KeyCl
 
 KeyPoints described(const KeyCloud& cloud, std::size_t max_count, int num_threads) {
   KeyPoints keys;
-  for (const std::uint32_t i : most_varied(cloud, max_count)) {
+  const std::vector<std::uint32_t> chosen = most_varied(cloud, max_count);
+  for (const std::uint32_t i : chosen) {
     keys.points.push_back(cloud.points[i]);
     keys.normals.push_back(cloud.normals[i]);
   }
   const ExtendedPoints of{keys.points, keys.normals};
-  const auto small = fast_histograms(of, cloud, num_threads),
-             large = fast_histograms(of, coarser(cloud, num_threads), num_threads);
+  const auto small =
+      fast_histograms({of, [&](std::size_t i) { return cloud.balls.around(chosen[i]); }, chosen}, cloud, num_threads);
+  const KeyCloud coarse = coarser(cloud, num_threads);
+  const BallLists lists(keys.points, coarse.points, kBallVoxels * coarse.voxel_size, num_threads);
+  const auto large = fast_histograms({of, [&](std::size_t i) { return lists.around(i); }, {}}, coarse, num_threads);
   keys.descriptors.resize(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
     PairHistogram balls[kBalls] = {small[i], large[i]};

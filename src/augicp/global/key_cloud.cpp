@@ -11,8 +11,7 @@
 namespace augicp {
 namespace {
 
-constexpr double kNormalVoxels = 2.5;     // radius of the ball of a normal
-constexpr double kVariationVoxels = 5.0;  // as of the smaller descriptor
+constexpr double kNormalVoxels = 2.5;  // radius of the ball of a normal
 constexpr double kMinPoints = 5.0;
 
 // Below, the points lie on a line: a plane about it has any normal.
@@ -21,21 +20,45 @@ constexpr double kMinPlaneRatio = 0.02;
 constexpr int kMaxRounds = 6;
 constexpr std::size_t kPointsPerBlock = 256;
 
-Gaussian gaussian_around(const std::vector<Vec3f>& points, std::span<const std::uint32_t> near, const Vec3f& centre,
-                         double radius) {
-  Gaussian sum;
-  const auto radius_sq = static_cast<float>(radius * radius);
-  for (const std::uint32_t j : near) {
-    const Vec3f offset = points[j] - centre;
-    if (offset.squaredNorm() > radius_sq) continue;
-    const Vec3d d = offset.cast<double>();
-    sum.count += 1.0;
-    sum.mean += d;
-    sum.covariance += d * d.transpose();
+// Sums over offsets from a point.
+struct Moments {
+  double count = 0.0;
+  Vec3d sum = Vec3d::Zero(), squares = Vec3d::Zero(), products = Vec3d::Zero();  // products: xy, xz, yz
+
+  void add(const Vec3d& d) {
+    count += 1.0;
+    sum += d;
+    squares += d.cwiseProduct(d);
+    products += Vec3d(d.x() * d.y(), d.x() * d.z(), d.y() * d.z());
   }
-  sum.mean /= sum.count;
-  sum.covariance = sum.covariance / sum.count - sum.mean * sum.mean.transpose();
-  return sum;
+
+  Gaussian gaussian() const {
+    Gaussian of;
+    of.count = count;
+    of.mean = sum / count;
+    Mat3d outer;
+    outer << squares.x(), products.x(), products.y(), products.x(), squares.y(), products.z(), products.y(),
+        products.z(), squares.z();
+    of.covariance = outer / count - of.mean * of.mean.transpose();
+    return of;
+  }
+};
+
+// Of the ball of the normal, and of that of the descriptor.
+struct TwoBalls {
+  Moments small, large;
+};
+TwoBalls moments_around(const KeyCloud& keys, std::size_t i) {
+  const auto squared = [](double radius) { return static_cast<float>(radius * radius); };
+  const float small_sq = squared(kNormalVoxels * keys.voxel_size);
+  TwoBalls sums;
+  for (const std::uint32_t j : keys.balls.around(i)) {
+    const Vec3f offset = keys.points[j] - keys.points[i];
+    const Vec3d d = offset.cast<double>();
+    sums.large.add(d);
+    if (offset.squaredNorm() <= small_sq) sums.small.add(d);
+  }
+  return sums;
 }
 
 Vec3f normal_of(const Gaussian& near) {
@@ -71,14 +94,13 @@ KeyCloud key_cloud(const Cloud& cloud, double voxel_size, const std::optional<Ve
   keys.viewpoint = viewpoint;
   keys.normals.resize(keys.size());
   keys.variation.resize(keys.size());
-  const BallLists balls(keys.points, keys.points, kVariationVoxels * voxel_size, num_threads);
+  keys.balls = BallLists(keys.points, keys.points, kBallVoxels * voxel_size, num_threads);
   const auto estimate = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto near = balls.around(i);
-      const Vec3f& point = keys.points[i];
-      keys.normals[i] = normal_of(gaussian_around(keys.points, near, point, kNormalVoxels * voxel_size));
-      if (viewpoint) point_towards(*viewpoint, point, keys.normals[i]);
-      keys.variation[i] = variation_of(gaussian_around(keys.points, near, point, kVariationVoxels * voxel_size));
+      const TwoBalls around = moments_around(keys, i);
+      keys.normals[i] = normal_of(around.small.gaussian());
+      if (viewpoint) point_towards(*viewpoint, keys.points[i], keys.normals[i]);
+      keys.variation[i] = variation_of(around.large.gaussian());
     }
   };
   for_each_block(keys.size(), num_threads, estimate, kPointsPerBlock);

@@ -42,12 +42,18 @@ PairHistogram opposite(const PairHistogram& histogram);
 // the plane half way between the points.
 bool are_on_same_side(const ExtendedPoint& first, const ExtendedPoint& second);
 
+// The histograms of some points, and their opposites.
+struct SidedHistograms {
+  std::vector<PairHistogram> same, other;
+
+  explicit SidedHistograms(std::vector<PairHistogram> histograms);
+};
+
 PairHistogram pair_histogram(const ExtendedPoint& first, const ExtendedPoints& support,
                              std::span<const std::uint32_t> around, bool has_signs);
 
 // The mean of the histograms of the points around, each scaled to one pair, weighted by the inverse of their distance.
-PairHistogram mean_around(const ExtendedPoint& first, const ExtendedPoints& support,
-                          const std::vector<PairHistogram>& theirs, std::span<const std::uint32_t> around,
-                          bool has_signs);
+PairHistogram mean_around(const ExtendedPoint& first, const ExtendedPoints& support, const SidedHistograms& theirs,
+                          std::span<const std::uint32_t> around, bool has_signs);
 
 }  // namespace augicp

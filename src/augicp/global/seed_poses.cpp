@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "augicp/core/parallel.h"
+#include "augicp/global/pair_columns.h"
 
 namespace augicp {
 namespace {
@@ -27,6 +28,7 @@ struct Clues {
   std::span<const Correspondence> pairs;
   const ConsistencyGraph& graph;
   const SeedOptions& options;
+  PairColumns columns;
 };
 
 // A correspondence with those that share the most others with it; empty if it is consistent with too few.
@@ -55,20 +57,6 @@ std::vector<std::uint32_t> in_order(const ConsistencyGraph& graph, int num_threa
   return order;
 }
 
-// Indices of the correspondences that support a pose.
-std::vector<std::uint32_t> supporting(const Rigid3& pose, const Clues& clues) {
-  const Rigid3f moves(pose);
-  const auto distance_sq = static_cast<float>(clues.options.distance * clues.options.distance);
-  const auto cosine = static_cast<float>(clues.options.cosine);
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t k = 0; k < clues.pairs.size(); ++k) {
-    const auto [i, j] = clues.pairs[k];
-    if ((moves * clues.source.points[i] - clues.target.points[j]).squaredNorm() > distance_sq) continue;
-    if ((moves.rotation * clues.source.normals[i]).dot(clues.target.normals[j]) >= cosine) found.push_back(k);
-  }
-  return found;
-}
-
 // The pose of a seed, and what supports it; nothing if too little does.
 struct Grown {
   Rigid3 pose;
@@ -80,7 +68,7 @@ Grown grown(std::uint32_t seed, const Clues& clues) {
   if (group.empty()) return result;
   for (int k = 0; k <= kRefits; ++k) {
     result.pose = fitted_pose(clues.source, clues.target, group, clues.options.lever);
-    result.support = supporting(result.pose, clues);
+    result.support = clues.columns.supporting(result.pose, clues.options.distance, clues.options.cosine);
     if (result.support.size() < kMinConsistent) return {};
     group.clear();
     for (const std::uint32_t index : result.support) group.push_back(clues.pairs[index]);
@@ -164,7 +152,8 @@ Rigid3 fitted_pose(const KeyPoints& source, const KeyPoints& target, std::span<c
 std::vector<SeedPose> seed_poses(const KeyPoints& source, const KeyPoints& target,
                                  std::span<const Correspondence> pairs, const ConsistencyGraph& graph,
                                  const SeedOptions& options, int num_threads) {
-  return distinct(poses_of_seeds({source, target, pairs, graph, options}, num_threads), mean_point(source), options);
+  const Clues clues{source, target, pairs, graph, options, PairColumns(source, target, pairs)};
+  return distinct(poses_of_seeds(clues, num_threads), mean_point(source), options);
 }
 
 }  // namespace augicp
