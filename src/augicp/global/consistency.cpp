@@ -7,11 +7,12 @@
 
 #include "augicp/core/parallel.h"
 #include "augicp/core/vectorized.h"
+#include "augicp/global/packed_bits.h"
 
 namespace augicp {
 namespace {
 
-constexpr std::size_t kBits = 64, kRowsPerBlock = kBits;
+constexpr std::size_t kBits = kBitsPerWord, kRowsPerBlock = kBits;
 
 // A column for each coordinate of the points and normals of one side of the pairs.
 struct Columns {
@@ -57,17 +58,6 @@ struct Limits {
   float distance, min_distance, cosine;
 };
 
-// Numbers are combined without a branch.
-AUGICP_INLINE std::int32_t number(bool is_true) { return is_true ? 1 : 0; }
-
-// Number k in bit k.
-AUGICP_INLINE std::uint32_t packed(const std::int32_t* is_set) {
-  constexpr std::size_t kHalf = kBits / 2;
-  std::uint32_t all = 0;
-  for (std::size_t k = 0; k < kHalf; ++k) all |= static_cast<std::uint32_t>(-is_set[k]) & (std::uint32_t{1} << k);
-  return all;
-}
-
 // The words of row a from first_word on.
 AUGICP_VECTORIZED
 void consistent_bits(const View& source, const View& target, std::size_t a, std::size_t first_word, std::size_t words,
@@ -83,7 +73,7 @@ void consistent_bits(const View& source, const View& target, std::size_t a, std:
                          number(std::abs(s.first[k] - t.first[k]) <= limits.cosine) &
                          number(std::abs(s.second[k] - t.second[k]) <= limits.cosine) &
                          number(std::abs(s.between[k] - t.between[k]) <= limits.cosine);
-    bits[word] = packed(is_consistent) | static_cast<std::uint64_t>(packed(is_consistent + kBits / 2)) << kBits / 2;
+    bits[word] = packed_bits(is_consistent);
   }
 }
 
@@ -142,9 +132,7 @@ ConsistencyGraph::ConsistencyGraph(const KeyPoints& source, const KeyPoints& tar
 
 std::vector<std::uint32_t> ConsistencyGraph::consistent_with(std::size_t a) const {
   std::vector<std::uint32_t> others;
-  for (std::size_t w = 0; w < words_; ++w)
-    for (std::uint64_t rest = row(a)[w]; rest != 0; rest &= rest - 1)
-      others.push_back(static_cast<std::uint32_t>(w * kBits) + static_cast<std::uint32_t>(std::countr_zero(rest)));
+  for (std::size_t w = 0; w < words_; ++w) append_set_bits(row(a)[w], w, others);
   return others;
 }
 

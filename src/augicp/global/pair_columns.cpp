@@ -2,11 +2,10 @@
 #include "augicp/global/pair_columns.h"
 
 #include "augicp/core/vectorized.h"
+#include "augicp/global/packed_bits.h"
 
 namespace augicp {
 namespace {
-
-constexpr std::size_t kPadding = 16;
 
 std::array<std::vector<float>, 6> columns_of(const KeyPoints& keys, std::span<const Correspondence> pairs,
                                              std::uint32_t Correspondence::*side, std::size_t padded) {
@@ -48,18 +47,17 @@ struct Limits {
   float distance_sq, cosine;
 };
 
-// Numbers are combined without a branch.
-AUGICP_INLINE std::int32_t number(bool is_true) { return is_true ? 1 : 0; }
-
 // As Eigen adds them up.
 AUGICP_INLINE float dot(float ax, float ay, float az, float bx, float by, float bz) {
   return ax * bx + (ay * by + az * bz);
 }
 
 AUGICP_VECTORIZED
-void mark_supporting(const View& source, const View& target, const Pose& pose, const Limits& limits, std::size_t count,
-                     std::int32_t* supports) {
-  for (std::size_t k = 0; k < count; ++k) {
+std::uint64_t supporting_bits(const View& source, const View& target, const Pose& pose, const Limits& limits,
+                              std::size_t begin) {
+  alignas(64) std::int32_t supports[kBitsPerWord];
+  for (std::size_t bit = 0; bit < kBitsPerWord; ++bit) {
+    const std::size_t k = begin + bit;
     const float x = source.x[k], y = source.y[k], z = source.z[k];
     const float dx = dot(pose.xx, pose.xy, pose.xz, x, y, z) + pose.x - target.x[k];
     const float dy = dot(pose.yx, pose.yy, pose.yz, x, y, z) + pose.y - target.y[k];
@@ -67,28 +65,30 @@ void mark_supporting(const View& source, const View& target, const Pose& pose, c
     const float nx = source.nx[k], ny = source.ny[k], nz = source.nz[k];
     const float cosine = dot(dot(pose.xx, pose.xy, pose.xz, nx, ny, nz), dot(pose.yx, pose.yy, pose.yz, nx, ny, nz),
                              dot(pose.zx, pose.zy, pose.zz, nx, ny, nz), target.nx[k], target.ny[k], target.nz[k]);
-    supports[k] = number(dot(dx, dy, dz, dx, dy, dz) <= limits.distance_sq) & number(cosine >= limits.cosine);
+    supports[bit] = number(dot(dx, dy, dz, dx, dy, dz) <= limits.distance_sq) & number(cosine >= limits.cosine);
   }
+  return packed_bits(supports);
 }
 
 }  // namespace
 
 PairColumns::PairColumns(const KeyPoints& source, const KeyPoints& target, std::span<const Correspondence> pairs)
     : size_(pairs.size()) {
-  const std::size_t padded = (size_ + kPadding - 1) / kPadding * kPadding;
+  const std::size_t padded = (size_ + kBitsPerWord - 1) / kBitsPerWord * kBitsPerWord;
   source_ = columns_of(source, pairs, &Correspondence::source, padded);
   target_ = columns_of(target, pairs, &Correspondence::target, padded);
 }
 
 std::vector<std::uint32_t> PairColumns::supporting(const Rigid3& target_from_source, double distance,
                                                    double cosine) const {
-  std::vector<std::int32_t> supports(source_[0].size());
   const Limits limits{static_cast<float>(distance * distance), static_cast<float>(cosine)};
-  mark_supporting(View(source_), View(target_), Pose(Rigid3f(target_from_source)), limits, supports.size(),
-                  supports.data());
+  const View from(source_), to(target_);
+  const Pose pose{Rigid3f(target_from_source)};
   std::vector<std::uint32_t> found;
-  for (std::uint32_t k = 0; k < size_; ++k)
-    if (supports[k] != 0) found.push_back(k);
+  for (std::size_t begin = 0; begin < size_; begin += kBitsPerWord)
+    append_set_bits(supporting_bits(from, to, pose, limits, begin), begin / kBitsPerWord, found);
+  // The padding may support it too.
+  while (!found.empty() && found.back() >= size_) found.pop_back();
   return found;
 }
 

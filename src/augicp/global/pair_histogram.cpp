@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "augicp/core/vectorized.h"
+#include "augicp/global/packed_bits.h"
 
 namespace augicp {
 namespace {
@@ -54,9 +55,6 @@ struct Batch {
     }
   }
 };
-
-// Numbers are combined without a branch.
-AUGICP_INLINE std::int32_t number(bool is_true) { return is_true ? 1 : 0; }
 
 // What a point and those of a batch have in common. Only is_pair means something where it is 0: a point in the same
 // place, or without a normal.
