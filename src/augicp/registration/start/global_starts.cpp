@@ -23,6 +23,9 @@ constexpr std::size_t kMaxCandidates = 4;
 constexpr std::size_t kKeptBySupport = 2;
 constexpr double kSameAngle = 3.0 * kRadPerDeg;
 
+// Poses that are led on, of those proposed: leading one on costs as much as comparing the clouds seven times.
+constexpr std::size_t kMaxLedOn = 24;
+
 // How finely the scans are seen, and for how many iterations.
 struct Level {
   int num_columns;
@@ -31,15 +34,39 @@ struct Level {
 };
 constexpr Level kCoarse{40, 8.0, 10}, kMiddle{80, 4.0, 20};  // as in the search around a guess
 
+// A start is led on until a step moves the points by less than this part of the ball in which surfaces are estimated:
+// what follows at full resolution sees more, and the comparison allows a ball.
+constexpr double kSettledPerRadius = 0.02;
+
+AlignOptions led_on_by(const Level& level, const ScanMatch& match, const Lengths& lengths) {
+  AlignOptions options = match.usual_options();
+  options.max_iterations = level.num_iterations;
+  const double settled = kSettledPerRadius * lengths.radius;
+  options.min_translation_step = std::max(options.min_translation_step, settled);
+  options.min_rotation_step = std::max(options.min_rotation_step, settled / lengths.extent);
+  return options;
+}
+
+// The most plausible starts as they are.
+std::vector<Rigid3> most_plausible(const ScanMatch& match, std::span<const Rigid3> starts, int num_threads) {
+  if (starts.size() <= kMaxLedOn) return {starts.begin(), starts.end()};
+  std::vector<Hypothesis> all = as_they_are(match, starts, num_threads);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Hypothesis& a, const Hypothesis& b) { return a.plausibility > b.plausibility; });
+  std::vector<Rigid3> best;
+  for (const Hypothesis& start : std::span(all).first(kMaxLedOn)) best.push_back(start.target_from_source);
+  return best;
+}
+
 std::vector<Rigid3> best_on(const Level& level, const ScanPair& pair, std::span<const Rigid3> starts,
                             const RegistrationOptions& options) {
   throw_if_stopped(options.stop);
   const PreparedPair scans = coarser(pair, level.num_columns, level.voxels);
   const ScanMatch match(scans, options);
-  AlignOptions by = match.usual_options();
-  by.max_iterations = level.num_iterations;
+  const std::vector<Rigid3> kept = most_plausible(match, starts, options.num_threads);
+  const AlignOptions by = led_on_by(level, match, pair.lengths);
   std::vector<Rigid3> best;
-  for (const Hypothesis& found : best_of(led_on(match, starts, by), kMaxCandidates, pair.lengths.radius, kSameAngle))
+  for (const Hypothesis& found : best_of(led_on(match, kept, by), kMaxCandidates, pair.lengths.radius, kSameAngle))
     best.push_back(found.target_from_source);
   return best;
 }

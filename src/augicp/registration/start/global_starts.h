@@ -7,9 +7,9 @@
 
 namespace augicp {
 
-// Starts that need no guess, from which the scans at full resolution may meet: candidate_poses(), each led on by a few
-// iterations on few points and compared by agreement and free space, and the most plausible ones led on with more
-// points. The most plausible first; none if nothing is alike. Both scans must be prepared.
+// Starts that need no guess, from which the scans at full resolution may meet: candidate_poses(), of which those that
+// agreement and free space on few points make most plausible are led on by a few iterations, and of these the most
+// plausible ones with more points. The most plausible first; none if nothing is alike. Both scans must be prepared.
 std::vector<Rigid3> global_starts(const ScanPair& pair, const RegistrationOptions& options);
 
 }  // namespace augicp

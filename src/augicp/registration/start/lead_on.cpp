@@ -33,4 +33,13 @@ std::vector<Hypothesis> led_on(const ScanMatch& level, std::span<const Rigid3> s
   return found;
 }
 
+std::vector<Hypothesis> as_they_are(const ScanMatch& level, std::span<const Rigid3> starts, int num_threads) {
+  std::vector<Hypothesis> found(starts.size());
+  const auto judge = [&](std::size_t k, std::size_t) {
+    found[k] = {starts[k], level.plausibility(starts[k], 1), false};
+  };
+  for_each_block(starts.size(), num_threads, judge, 1);
+  return found;
+}
+
 }  // namespace augicp

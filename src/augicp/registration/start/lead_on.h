@@ -12,6 +12,9 @@ namespace augicp {
 // result is the same for any number of threads.
 std::vector<Hypothesis> led_on(const ScanMatch& level, std::span<const Rigid3> starts, const AlignOptions& options);
 
+// The starts themselves, each with its plausibility. The result is the same for any number of threads.
+std::vector<Hypothesis> as_they_are(const ScanMatch& level, std::span<const Rigid3> starts, int num_threads);
+
 // The options for a start on few points: a start gives threads nothing to share.
 AlignOptions on_one_thread(AlignOptions options);
 
