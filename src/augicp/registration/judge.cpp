@@ -101,7 +101,8 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
       source_says_(matcher_for(pair.source, pair.source.view.has_value(), pair.lengths)) {
   const bool know_free_space =
       (target_says_ ? *target_says_ : matcher_).knows_free_space() && source_says_->knows_free_space();
-  if (know_free_space) return;
+  // A pose that is found without a guess is far from it.
+  if (know_free_space && guess_target_from_source) return;
   on_planes_of_source_ = on_large_planes(of_source_, kDistancePerRadius * pair.lengths.radius);
   on_planes_of_target_ = on_large_planes(of_target_, kDistancePerRadius * pair.lengths.radius);
 }
@@ -141,6 +142,16 @@ Evidence Judge::evidence(const Rigid3& target_from_source) const {
   return evidence;
 }
 
+// Far from the guess planes are asked about also if the free space is known: those of another room fit, too.
+void Judge::ask_off_planes(const Rigid3& target_from_source, Evidence& evidence) const {
+  const auto of_point = agreements(target_from_source);
+  const auto of_source = std::span(of_point).first(of_source_.size());
+  const auto of_target = std::span(of_point).subspan(of_source_.size());
+  const double distance = kDistancePerRadius * pair_.lengths.radius;
+  evidence.source_in_target.off_planes = agreement_off_planes(of_source, on_large_planes(of_source_, distance));
+  evidence.target_in_source.off_planes = agreement_off_planes(of_target, on_large_planes(of_target_, distance));
+}
+
 AlignResult Judge::judged(AlignResult result) const {
   const AlignStatus reached = result.status;
   if (!has_pose(reached)) return result;
@@ -149,6 +160,8 @@ AlignResult Judge::judged(AlignResult result) const {
   evidence.observability = result.observability.weakest();
   evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, result.target_from_source)
                                              : kMovedFromAnywhere;
+  if (on_planes_of_source_.empty() && evidence.moved > VerdictLimits{}.max_moved_on_planes)
+    ask_off_planes(result.target_from_source, evidence);
   const Verdict verdict = decide(reached, evidence);
   const bool has_left = guess_target_from_source_ && has_left_along_free(result, *guess_target_from_source_);
   result.status = has_left && !verdict.doubts.empty() ? AlignStatus::Doubtful : verdict.status;

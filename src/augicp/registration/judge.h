@@ -44,13 +44,15 @@ class Judge {
   AlignResult judged(AlignResult result) const;
 
  private:
+  void ask_off_planes(const Rigid3& target_from_source, Evidence& evidence) const;
+
   ScanPair pair_;
   const ScanMatcher& matcher_;
   std::optional<Rigid3> guess_target_from_source_;
   AlignOptions options_;
   AgreementTolerance on_source_, on_target_;                     // of points on each scan
   Cloud of_source_, of_target_;                                  // the points that are compared
-  std::vector<bool> on_planes_of_source_, on_planes_of_target_;  // of these; empty if free space is known
+  std::vector<bool> on_planes_of_source_, on_planes_of_target_;  // of these; empty if not asked near the guess
   std::unique_ptr<ScanMatcher> target_says_, source_says_;       // what they are compared with; null: matcher_
 };
 

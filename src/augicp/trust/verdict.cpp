@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "augicp/core/check.h"
 
@@ -18,6 +19,19 @@ std::int64_t visible(const Agreement& count) { return count.seen() - count.hidde
 
 void require_share(const char* name, double value) {
   require(value >= 0.0 && value < 1.0, name, value, "must be from 0 to below 1");
+}
+
+bool is_far_from_guess(const Evidence& evidence, const VerdictLimits& limits) {
+  return evidence.moved > limits.max_moved_on_planes;
+}
+
+// The ratio of what stands in free space, as the mean of both sides, to its limit. Near the guess each side has its
+// own.
+double joint_conflict(const Evidence& evidence, const VerdictLimits& limits) {
+  if (!is_far_from_guess(evidence, limits)) return 0.0;
+  const double beyond = std::min(1.0, evidence.beyond_planes / limits.enough_beyond_planes);
+  const double mean = 0.5 * (evidence.source_in_target.conflicting() + evidence.target_in_source.conflicting());
+  return mean / (std::lerp(limits.conflicting_on_planes, 1.0, beyond) * limits.max_mean_conflicting);
 }
 
 // The ratios of one cloud's values to their limits, in the order of the enumeration of doubts.
@@ -52,11 +66,14 @@ std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& lim
   const double joint = is_part ? 0.0 : joint_strain(evidence.source_in_target, evidence.target_in_source, limits);
   const double bare =
       evidence.beyond_planes < limits.min_beyond_planes ? evidence.moved / limits.max_moved_on_planes : 0.0;
-  // What one cloud has off its planes the other may not have seen, but not both.
-  const double only_planes = std::min(one[4], other[4]);
+  // What one cloud has off its planes the other may not have seen, but not both. What moved between the scans stands in
+  // free space, so if that is known it is asked far from the guess only.
+  const bool know_free_space = evidence.source_in_target.knows_free_space && evidence.target_in_source.knows_free_space;
+  const bool asks = !know_free_space || is_far_from_guess(evidence, limits);
+  const double only_planes = asks ? std::min(one[4], other[4]) : 0.0;
   return {std::max({one[0], other[0], joint}),
           std::max(one[1], other[1]),
-          std::max(one[2], other[2]),
+          std::max({one[2], other[2], joint_conflict(evidence, limits)}),
           std::max(one[3], other[3]),
           bare,
           only_planes};
@@ -90,6 +107,10 @@ void VerdictLimits::check() const {
   require_share("min_off_planes", min_off_planes);
   require_share("min_beyond_planes", min_beyond_planes);
   require_positive("max_moved_on_planes", max_moved_on_planes);
+  require_positive("max_mean_conflicting", max_mean_conflicting);
+  require_positive("enough_beyond_planes", enough_beyond_planes);
+  require(conflicting_on_planes > 0.0 && conflicting_on_planes <= 1.0, "conflicting_on_planes", conflicting_on_planes,
+          "must be above 0 and at most 1");
   require_not_negative("max_last_step", max_last_step);
   require_not_negative("max_last_rotation_step", max_last_rotation_step);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <tuple>
 
 #include "augicp/trust/free_motions.h"
 
@@ -172,15 +173,37 @@ TEST(Verdict, BarePlanesAreTrustedNearTheGuessOnly) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
-// What one cloud has off its planes, the other may not have seen; a doubt needs both. A part on its model is not asked.
+// The fewer points off the planes agree, the more weighs what stands in free space, unless the guess was near.
+TEST(Verdict, BarePlanesWithPointsInFreeSpaceAreTrustedNearTheGuessOnly) {
+  Evidence evidence = good_evidence();
+  evidence.source_in_target.count = {.agree = 570, .conflict = 25, .hidden = 100, .unseen = 305};  // 4.2 %
+  evidence.target_in_source.count = {.agree = 590, .conflict = 5, .hidden = 100, .unseen = 305};   // 0.8 %
+  for (const auto& [beyond_planes, moved, status] :
+       {std::tuple{0.2, 2.0, AlignStatus::Converged}, std::tuple{0.02, 2.0, AlignStatus::Doubtful},
+        std::tuple{0.02, 0.1, AlignStatus::Converged}}) {
+    evidence.beyond_planes = beyond_planes;
+    evidence.moved = moved;
+    EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, status) << beyond_planes << " " << moved;
+  }
+  evidence.moved = 2.0;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::FreeSpace});
+}
+
+// What one cloud has off its planes, the other may not have seen; a doubt needs both. A part on its model is not asked,
+// nor are clouds that know their free space, near the guess.
 TEST(Verdict, PlanesThatAgreeFarBetterThanTheRestAreADoubt) {
   Evidence evidence = good_evidence();
+  evidence.moved = 2.0;
   const double low = 0.9 * VerdictLimits{}.min_off_planes;
   evidence.source_in_target.off_planes = low;
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
   evidence.target_in_source.off_planes = low;
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::OnlyPlanes});
   EXPECT_GT(strain(evidence), 1.0);
+  evidence.moved = 0.1;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  evidence.source_in_target.knows_free_space = false;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::OnlyPlanes});
   evidence.source_in_target.count = {.agree = 1000};
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
