@@ -160,7 +160,7 @@ AlignResult Judge::judged(AlignResult result) const {
   evidence.observability = result.observability.weakest();
   evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, result.target_from_source)
                                              : kMovedFromAnywhere;
-  if (on_planes_of_source_.empty() && evidence.moved > VerdictLimits{}.max_moved_on_planes)
+  if (on_planes_of_source_.empty() && evidence.moved > VerdictLimits{}.max_moved_near_guess)
     ask_off_planes(result.target_from_source, evidence);
   const Verdict verdict = decide(reached, evidence);
   const bool has_left = guess_target_from_source_ && has_left_along_free(result, *guess_target_from_source_);

@@ -22,7 +22,7 @@ void require_share(const char* name, double value) {
 }
 
 bool is_far_from_guess(const Evidence& evidence, const VerdictLimits& limits) {
-  return evidence.moved > limits.max_moved_on_planes;
+  return evidence.moved > limits.max_moved_near_guess;
 }
 
 // The ratio of what stands in free space, as the mean of both sides, to its limit. Near the guess each side has its
@@ -107,6 +107,7 @@ void VerdictLimits::check() const {
   require_share("min_off_planes", min_off_planes);
   require_share("min_beyond_planes", min_beyond_planes);
   require_positive("max_moved_on_planes", max_moved_on_planes);
+  require_positive("max_moved_near_guess", max_moved_near_guess);
   require_positive("max_mean_conflicting", max_mean_conflicting);
   require_positive("enough_beyond_planes", enough_beyond_planes);
   require(conflicting_on_planes > 0.0 && conflicting_on_planes <= 1.0, "conflicting_on_planes", conflicting_on_planes,
