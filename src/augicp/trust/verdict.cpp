@@ -145,14 +145,14 @@ Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimit
 }
 
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits) {
-  rival.moved = best.moved;
+  rival.moved = std::min(rival.moved, best.moved);
   return has_settled(rival, limits) && strain(rival, limits) <= 1.0 &&
          is_seen_as_well(rival.source_in_target, best.source_in_target) &&
          is_seen_as_well(rival.target_in_source, best.target_in_source);
 }
 
 bool may_fit(Evidence of_guess, const Evidence& best, const VerdictLimits& limits) {
-  of_guess.moved = best.moved;
+  of_guess.moved = std::min(of_guess.moved, best.moved);
   return excess(of_guess, limits) <= kSmallExcess;
 }
 

@@ -149,6 +149,18 @@ TEST(Verdict, WhatTheGuessLeadsToMayFitThoughALimitRefusesIt) {
   EXPECT_FALSE(may_fit(of_guess, good_evidence()));
 }
 
+// Far from the guess a little in free space refuses a pose. What the guess leads to is not judged as if it were there.
+TEST(Verdict, WhatTheGuessLeadsToIsNotJudgedAsAPoseFarFromIt) {
+  Evidence of_guess = good_evidence(), far = good_evidence();
+  for (Testimony* side : {&of_guess.source_in_target, &of_guess.target_in_source})
+    side->count = {.agree = 960, .conflict = 40};
+  far.moved = 2.0;
+  EXPECT_TRUE(fits_as_well(of_guess, far));
+  EXPECT_TRUE(may_fit(of_guess, far));
+  of_guess.moved = 2.0;
+  EXPECT_FALSE(fits_as_well(of_guess, far));
+}
+
 // Without free space a contradiction is merely unseen: what leaves more of it unseen is the worse pose.
 TEST(Verdict, ARivalMustSeeAsMuchWhereFreeSpaceIsUnknown) {
   Evidence best = good_evidence(), rival = best;
