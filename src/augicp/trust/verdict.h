@@ -154,8 +154,8 @@ struct RunnerUp {
 // counts as if it had moved no farther than the best pose.
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits = {});
 
-// Whether the pose that the guess leads to may be the right one although a limit refuses it by little, or although it has
-// not settled. A pose elsewhere that is supported, such as the half-turned one among columns, is then not the only
+// Whether the pose that the guess leads to may be the right one although a limit refuses it by little, or although it
+// has not settled. A pose elsewhere that is supported, such as the half-turned one among columns, is then not the only
 // answer.
 bool may_fit(Evidence of_guess, const Evidence& best, const VerdictLimits& limits = {});
 
