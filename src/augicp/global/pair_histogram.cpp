@@ -56,7 +56,7 @@ struct Batch {
   }
 };
 
-// What a point and those of a batch have in common. Only is_pair means something where it is 0: a point in the same
+// What a point and those of a batch have in common. Where is_pair is 0, the rest means nothing: a point in the same
 // place, or without a normal.
 struct Pairs {
   alignas(64) std::int32_t is_pair[Batch::kSize];

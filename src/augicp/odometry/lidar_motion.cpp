@@ -74,7 +74,7 @@ SweepMotion LidarOdometry::motion_of_start(double stamp_s, const Rigid3& world_f
   return later_by(-sweeps, motion_of_sweep(stamp_s, world_from_sensor));
 }
 
-// The map begins anew with this scan, where it was placed.
+// The map starts again with this scan, where it was placed.
 void LidarOdometry::restart_map_with(const TimedScan& scan, bool is_skewed) {
   Attempt attempt = prepared(scan.cloud, is_skewed ? scan.shares : SweepShares{}, scan.motion);
   attempt.world_from_sensor = scan.pose.world_from_camera;

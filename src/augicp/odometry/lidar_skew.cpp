@@ -15,7 +15,7 @@ bool LidarOdometry::is_taken_as_skewed(const SweepShares& shares) const {
 }
 
 // A scan that is tracked is compared with one before it, both as they came. After a gap the motion during the sweep is
-// unknown, and no scan is compared. If the majority changes, the map begins anew with this scan: it consists of scans
+// unknown, and no scan is compared. If the majority changes, the map starts again with this scan: it consists of scans
 // that were bent, or left bent. REQUIRES: the scan was followed.
 void LidarOdometry::try_skew(const TimedScan& scan) {
   if (skew_votes_.is_decided() || !skew_reference_) return;

@@ -131,9 +131,16 @@ Evidence Judge::evidence(const Rigid3& target_from_source) const {
   if (!source_says_->knows_free_space())
     evidence.target_in_source.contradicting =
         contradicting_share(of_target_, of_target, {of_source_, inverse(target_from_source), radius});
+  evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, target_from_source)
+                                             : kMovedFromAnywhere;
   if (!on_planes_of_source_.empty()) {
     evidence.source_in_target.off_planes = agreement_off_planes(of_source, on_planes_of_source_);
     evidence.target_in_source.off_planes = agreement_off_planes(of_target, on_planes_of_target_);
+  } else if (evidence.moved > VerdictLimits{}.max_moved_near_guess) {
+    // Far from the guess planes are asked about also if the free space is known: those of another room fit, too.
+    const double distance = kDistancePerRadius * radius;
+    evidence.source_in_target.off_planes = agreement_off_planes(of_source, on_large_planes(of_source_, distance));
+    evidence.target_in_source.off_planes = agreement_off_planes(of_target, on_large_planes(of_target_, distance));
   }
   const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, options_.num_threads);
   const PosedPairs posed{of_source_, pair_.target.cloud, pairs, target_from_source};
@@ -142,26 +149,12 @@ Evidence Judge::evidence(const Rigid3& target_from_source) const {
   return evidence;
 }
 
-// Far from the guess planes are asked about also if the free space is known: those of another room fit, too.
-void Judge::ask_off_planes(const Rigid3& target_from_source, Evidence& evidence) const {
-  const auto of_point = agreements(target_from_source);
-  const auto of_source = std::span(of_point).first(of_source_.size());
-  const auto of_target = std::span(of_point).subspan(of_source_.size());
-  const double distance = kDistancePerRadius * pair_.lengths.radius;
-  evidence.source_in_target.off_planes = agreement_off_planes(of_source, on_large_planes(of_source_, distance));
-  evidence.target_in_source.off_planes = agreement_off_planes(of_target, on_large_planes(of_target_, distance));
-}
-
 AlignResult Judge::judged(AlignResult result) const {
   const AlignStatus reached = result.status;
   if (!has_pose(reached)) return result;
   Evidence evidence = this->evidence(result.target_from_source);
   add_last_step(result, pair_.lengths.extent, evidence);
   evidence.observability = result.observability.weakest();
-  evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, result.target_from_source)
-                                             : kMovedFromAnywhere;
-  if (on_planes_of_source_.empty() && evidence.moved > VerdictLimits{}.max_moved_near_guess)
-    ask_off_planes(result.target_from_source, evidence);
   const Verdict verdict = decide(reached, evidence);
   const bool has_left = guess_target_from_source_ && has_left_along_free(result, *guess_target_from_source_);
   result.status = has_left && !verdict.doubts.empty() ? AlignStatus::Doubtful : verdict.status;

@@ -44,8 +44,6 @@ class Judge {
   AlignResult judged(AlignResult result) const;
 
  private:
-  void ask_off_planes(const Rigid3& target_from_source, Evidence& evidence) const;
-
   ScanPair pair_;
   const ScanMatcher& matcher_;
   std::optional<Rigid3> guess_target_from_source_;
