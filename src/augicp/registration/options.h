@@ -68,9 +68,9 @@ struct RegistrationOptions {
   bool rolling_shutter = true;  // the distortion of rolling shutters is removed, see ReadoutMotion
 
   // Clouds are aligned once more in smaller balls, from the pose that was found; kept if that is more certain, see
-  // with_final_pass(). Between clouds with derived lengths, if the covariance is computed. Off by default: it takes
-  // about as long as the first alignment without its search, and gains nothing where points are sparse.
-  bool final_pass = false;
+  // with_final_pass(). Between clouds with derived lengths, if the covariance is computed. It takes about as long as
+  // the first alignment without its search.
+  bool final_pass = true;
 
   // A third measurement, if both inputs have intensities: their brightness, see objective/intensity.h. At full
   // resolution only, so that the search and the coarse alignments do not depend on it.
