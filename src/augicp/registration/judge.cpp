@@ -26,9 +26,6 @@ constexpr double kDistancePerRadius = 0.5;
 // A noisier camera's readings are near a surface within this many standard deviations: those of two readings.
 constexpr double kDistancePerNoise = 3.0;
 
-// Without a guess a pose is as far from it as a half turn takes the points: no pose is nearer than another.
-constexpr double kMovedFromAnywhere = 2.0;
-
 // A part of the depth, at the image's median depth.
 double noise_per_depth(const Scan& image) {
   std::vector<float> depths;

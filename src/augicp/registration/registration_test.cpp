@@ -160,12 +160,14 @@ TEST(Registration, PathologicalCloudsEnd) {
 // One "no reading" at zero in a cloud of far coordinates must not cost the other points.
 TEST(Registration, AFarOutlierChangesNothing) {
   const Pair pair = room_clouds();
-  const AlignResult expected = register_scans(pair.source, pair.target).result;
+  RegistrationOptions options;
+  options.final_pass = false;  // two results lie millimetres apart if one of them keeps it by a hair
+  const AlignResult expected = register_scans(pair.source, pair.target, Rigid3{}, options).result;
   for (float distance : {1e5f, 1e6f, 1e9f}) {
     Scan source = pair.source;
     source.cloud.points.emplace_back(distance, 0.0f, 0.0f);
     source.cloud.weights.push_back(1.0f);
-    EXPECT_THAT(register_scans(source, pair.target).result.target_from_source,
+    EXPECT_THAT(register_scans(source, pair.target, Rigid3{}, options).result.target_from_source,
                 NearPose(expected.target_from_source, 1e-3, 2e-3));
   }
 }
@@ -259,7 +261,9 @@ TEST(RegistrationInterrupted, FromAnotherThread) {
 // result.
 TEST(Registration, TheDoorReturnsWhatItKnows) {
   const Pair pair = room_clouds();
-  const Registration found = register_scans(pair.source, pair.target);
+  RegistrationOptions options;
+  options.final_pass = false;
+  const Registration found = register_scans(pair.source, pair.target, Rigid3{}, options);
   const Lengths expected = lengths_for(pair.source, pair.target, {});
   EXPECT_EQ(found.prepared.lengths.radius, expected.radius);
   EXPECT_EQ(static_cast<std::int64_t>(found.result.pairs.size()), found.result.num_pairs);

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "augicp/core/angles.h"
@@ -29,8 +31,9 @@ constexpr double kWidestGap = 120.0 * kRadPerDeg;
 // Points farther apart than this many balls are neither connected nor a surface.
 constexpr double kReachPerRadius = 2.0;
 
-// The least share of a part's border at which the other surface goes on.
-constexpr double kMinGoingOn = 0.5;
+// What points count that belong to a part which begins at borders of both kinds. Fragments of real rooms, fused from
+// images by poses that are centimetres off, have 2.8 % of such points under right poses, mirrored rooms 3.4 % and more.
+constexpr double kWeightOfMixed = 0.6;
 
 bool is_off(PointAgreement said) {
   return said == PointAgreement::Differ || said == PointAgreement::Unseen || said == PointAgreement::Conflict;
@@ -70,58 +73,101 @@ bool goes_on_around(const Vec3f& place, const Cloud& cloud, const KdTree& tree, 
   return widest_gap(angles) < kWidestGap;
 }
 
-// Indices of the points of a connected part that does not agree, and of those beside it that agree.
-struct Part {
-  std::vector<std::uint32_t> inside, border;
+using Indices = std::vector<std::uint32_t>;
+
+// Of each point off the other's surface: neighbours that are off it too, and those that agree, the border.
+struct Links {
+  std::vector<Indices> off, border;
 };
 
-// Finds one part after another.
-struct PartFinder {
-  const Cloud& cloud;
-  const KdTree tree;
-  std::span<const PointAgreement> said;
-  float reach;
-  std::vector<bool> visited;
-
-  Part part_from(std::uint32_t first);
-};
-
-Part PartFinder::part_from(std::uint32_t first) {
-  Part part{{first}, {}};
-  visited[first] = true;
-  for (std::size_t k = 0; k < part.inside.size(); ++k)
-    for (const Neighbour& next : tree.nearest_k(cloud.points[part.inside[k]], kLinked + 1)) {
+Links links_of(const Cloud& cloud, std::span<const PointAgreement> said, float reach) {
+  const KdTree tree(cloud);
+  Links links{std::vector<Indices>(cloud.size()), std::vector<Indices>(cloud.size())};
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (!is_off(said[i])) continue;
+    for (const Neighbour& next : tree.nearest_k(cloud.points[i], kLinked + 1)) {
       if (next.distance_sq > reach * reach) break;
-      if (said[next.index] == PointAgreement::Agree) part.border.push_back(next.index);
-      if (!is_off(said[next.index]) || visited[next.index]) continue;
-      visited[next.index] = true;
-      part.inside.push_back(next.index);
+      if (said[next.index] == PointAgreement::Agree) links.border[i].push_back(next.index);
+      if (!is_off(said[next.index]) || next.index == i) continue;
+      links.off[i].push_back(next.index);
+      links.off[next.index].push_back(i);
     }
-  std::sort(part.border.begin(), part.border.end());
-  part.border.erase(std::unique(part.border.begin(), part.border.end()), part.border.end());
-  return part;
+  }
+  return links;
+}
+
+template <class GoesOn>
+bool half_of(const Indices& border, const GoesOn& goes_on) {
+  return 2 * static_cast<std::size_t>(std::count_if(border.begin(), border.end(), goes_on)) >= border.size();
+}
+
+// The points of the border that are linked to a point or to its neighbours off the surface. May repeat.
+Indices border_around(std::uint32_t point, const Links& links) {
+  Indices border = links.border[point];
+  for (const std::uint32_t next : links.off[point])
+    border.insert(border.end(), links.border[next].begin(), links.border[next].end());
+  return border;
+}
+
+// Whether each point off the surface lies beside a place where the other surface goes on: at least half of the border
+// around it does, or around the nearest point, in links, that has a border.
+template <class GoesOn>
+std::vector<bool> beside_what_goes_on(const Links& links, const GoesOn& goes_on) {
+  std::vector<bool> is_beside(links.off.size(), false), is_found(links.off.size(), false);
+  Indices found;  // the nearer to the border, the earlier
+  for (std::uint32_t i = 0; i < links.border.size(); ++i) {
+    if (links.border[i].empty()) continue;
+    is_beside[i] = half_of(border_around(i, links), goes_on);
+    is_found[i] = true;
+    found.push_back(i);
+  }
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (const std::uint32_t next : links.off[found[k]]) {
+      if (is_found[next]) continue;
+      is_beside[next] = is_beside[found[k]];
+      is_found[next] = true;
+      found.push_back(next);
+    }
+  return is_beside;
+}
+
+// The size of the largest connected part of the points that are marked, of those whose border contradicts.
+template <class GoesOn>
+double largest_part(std::vector<bool> marked, const Links& links, const GoesOn& goes_on) {
+  std::size_t largest = kFewestInPart - 1;
+  for (std::uint32_t first = 0; first < marked.size(); ++first) {
+    if (!marked[first]) continue;
+    Indices part{first}, border;
+    marked[first] = false;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      border.insert(border.end(), links.border[part[k]].begin(), links.border[part[k]].end());
+      for (const std::uint32_t next : links.off[part[k]])
+        if (marked[next]) marked[next] = false, part.push_back(next);
+    }
+    std::sort(border.begin(), border.end());
+    border.erase(std::unique(border.begin(), border.end()), border.end());
+    if (part.size() > largest && border.size() >= kFewestOnBorder && half_of(border, goes_on)) largest = part.size();
+  }
+  return largest < kFewestInPart ? 0.0 : static_cast<double>(largest);
 }
 
 }  // namespace
 
 double contradicting_share(const Cloud& cloud, std::span<const PointAgreement> said, const PosedCloud& other) {
-  if (static_cast<std::size_t>(std::count_if(said.begin(), said.end(), is_off)) < kFewestInPart) return 0.0;
+  std::vector<bool> are_off(cloud.size());
+  std::transform(said.begin(), said.end(), are_off.begin(), is_off);
+  if (static_cast<std::size_t>(std::count(are_off.begin(), are_off.end(), true)) < kFewestInPart) return 0.0;
   const auto reach = static_cast<float>(kReachPerRadius * other.radius);
   const KdTree other_tree(other.cloud);
   const Rigid3f pose(other.this_from_asked);
-  PartFinder finder{cloud, KdTree(cloud), said, reach, std::vector<bool>(cloud.size(), false)};
-  std::size_t largest = 0;
-  for (std::uint32_t first = 0; first < cloud.size(); ++first) {
-    if (finder.visited[first] || !is_off(said[first])) continue;
-    const Part part = finder.part_from(first);
-    if (part.inside.size() < std::max(kFewestInPart, largest + 1) || part.border.size() < kFewestOnBorder) continue;
-    const auto going_on = std::count_if(part.border.begin(), part.border.end(), [&](std::uint32_t i) {
-      return goes_on_around(pose * cloud.points[i], other.cloud, other_tree, reach);
-    });
-    if (static_cast<double>(going_on) >= kMinGoingOn * static_cast<double>(part.border.size()))
-      largest = part.inside.size();
-  }
-  return static_cast<double>(largest) / static_cast<double>(cloud.size());
+  std::vector<std::optional<bool>> known(cloud.size());
+  const auto goes_on = [&](std::uint32_t i) {
+    if (!known[i]) known[i] = goes_on_around(pose * cloud.points[i], other.cloud, other_tree, reach);
+    return *known[i];
+  };
+  const Links links = links_of(cloud, said, reach);
+  const double mixed = kWeightOfMixed * largest_part(beside_what_goes_on(links, goes_on), links, goes_on);
+  return std::max(mixed, largest_part(std::move(are_off), links, goes_on)) / static_cast<double>(cloud.size());
 }
 
 }  // namespace augicp

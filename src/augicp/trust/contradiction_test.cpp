@@ -81,6 +81,29 @@ TEST(Contradiction, APostInAHoleIsNone) {
   EXPECT_EQ(share(floor_and_post(1, 0.2f), floor(2, is_far)), 0.0);
 }
 
+// A wall along x or y of this height, upright on the floor.
+void add_wall(Cloud& cloud, const Vec3f& from, const Vec3f& to) {
+  constexpr float kStep = static_cast<float>(kSpacing);
+  const float length = (to - from).norm();
+  for (float z = 0.5f * kStep; z < 0.3f; z += kStep)
+    for (float s = 0.0f; s < length; s += kStep)
+      cloud.points.emplace_back(from + s / length * (to - from) + Vec3f(0.0f, 0.0f, z));
+}
+
+// The other scan reaches up to y = 0.3 and shows a bare floor. A wall across that floor is linked with what is beyond.
+TEST(Contradiction, AWallAcrossAFloorIsOneAndWhatIsLinkedWithItBeyondTheScanIsNot) {
+  const Cloud other = floor(2, [](const Vec3f& p) { return p.y() < 0.3f; });
+  Cloud cloud = floor(1);
+  add_wall(cloud, {-0.5f, 0.45f, 0.0f}, {0.5f, 0.45f, 0.0f});
+  EXPECT_EQ(share(cloud, other), 0.0);
+  const double num_before = static_cast<double>(cloud.size());
+  add_wall(cloud, {0.2f, -0.3f, 0.0f}, {0.2f, 0.44f, 0.0f});
+  const double num_across = static_cast<double>(cloud.size()) - num_before;
+  const double part = share(cloud, other) * static_cast<double>(cloud.size());
+  EXPECT_GT(part, 0.4 * num_across);  // counted by 0.6
+  EXPECT_LT(part, 0.7 * num_across);
+}
+
 TEST(Contradiction, ScanLinesFarApartContradictNothing) {
   Cloud lines;
   for (float y = -0.45f; y < 0.5f; y += 0.1f)

@@ -51,6 +51,12 @@ double joint_strain(const Testimony& one, const Testimony& other, const VerdictL
   return (1.0 - margin) / (1.0 - limits.min_margin_without_camera);
 }
 
+// The ratio of the distance from the guess to what the points off the three largest planes allow.
+double bare_planes(const Evidence& evidence, const VerdictLimits& limits) {
+  const double beyond = std::max(1.0, evidence.beyond_planes / limits.min_beyond_planes);
+  return std::min(evidence.moved, kMovedFromAnywhere) / (beyond * limits.max_moved_on_planes);
+}
+
 // Whether a cloud shows all of the other.
 constexpr double kAll = 0.99;
 bool shows_all(const Testimony& testimony) { return testimony.seen() >= kAll && testimony.agreeing() >= kAll; }
@@ -64,8 +70,7 @@ std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& lim
   if (shows_all(evidence.target_in_source)) one[0] = one[1] = one[3] = one[4] = 0.0;
   const bool is_part = shows_all(evidence.source_in_target) || shows_all(evidence.target_in_source);
   const double joint = is_part ? 0.0 : joint_strain(evidence.source_in_target, evidence.target_in_source, limits);
-  const double bare =
-      evidence.beyond_planes < limits.min_beyond_planes ? evidence.moved / limits.max_moved_on_planes : 0.0;
+  const double bare = bare_planes(evidence, limits);
   // What one cloud has off its planes the other may not have seen, but not both. What moved between the scans stands in
   // free space, so if that is known it is asked far from the guess only.
   const bool know_free_space = evidence.source_in_target.knows_free_space && evidence.target_in_source.knows_free_space;

@@ -47,8 +47,12 @@ struct Evidence {
   double last_rotation_step = std::numeric_limits<double>::infinity();  // radians
   double observability = 1.0;                                           // of the weakest direction, see observability.h
   double beyond_planes = 1.0;  // share of the points that agree off the three largest planes, see beyond_planes.h
-  double moved = 0.0;  // RMS motion of the source from the guess, divided by its radius of gyration; 2: no guess
+  double moved = 0.0;          // RMS motion of the source from the guess, divided by its radius of gyration
 };
+
+// Evidence::moved without a guess: a pose is then as far from it as a half turn takes the points, and none is nearer
+// than another.
+inline constexpr double kMovedFromAnywhere = 2.0;
 
 // Limits of a trusted pose. docs/lab/verdict.md has the measurements behind each number.
 struct VerdictLimits {
@@ -85,7 +89,9 @@ struct VerdictLimits {
   double min_off_planes = 0.75;
 
   // Three bare planes fit any other three. If less than this share of the points that agree is off them, the data show
-  // only that a corner was found. The pose must then be near the guess: at most this many radii of gyration from it.
+  // only that a corner was found. The pose must then be near the guess: at most this many radii of gyration from it,
+  // and with a larger share farther in proportion, so that 1 % allows any pose. Right poses that are found without a
+  // guess have 2 % and more.
   double min_beyond_planes = 0.0025;
   double max_moved_on_planes = 0.5;
 

@@ -185,6 +185,22 @@ TEST(Verdict, BarePlanesAreTrustedNearTheGuessOnly) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
 }
 
+TEST(Verdict, FartherFromTheGuessMorePointsMustBeOffThePlanes) {
+  Evidence evidence = good_evidence();
+  evidence.source_in_target.count = evidence.target_in_source.count = {.agree = 700, .unseen = 300};
+  for (const auto& [beyond_planes, moved, is_doubtful] : {std::tuple{0.004, 0.5, false},
+                                                          {0.004, 1.0, true},
+                                                          {0.006, 1.0, false},
+                                                          {0.006, kMovedFromAnywhere, true},
+                                                          {0.011, kMovedFromAnywhere, false},
+                                                          {0.011, 10.0, false}}) {
+    evidence.beyond_planes = beyond_planes;
+    evidence.moved = moved;
+    const auto doubts = decide(AlignStatus::Converged, evidence).doubts;
+    EXPECT_EQ(doubts == std::vector<Doubt>{Doubt::BarePlanes}, is_doubtful) << beyond_planes << " " << moved;
+  }
+}
+
 // The fewer points off the planes agree, the more weighs what stands in free space, unless the guess was near.
 TEST(Verdict, BarePlanesWithPointsInFreeSpaceAreTrustedNearTheGuessOnly) {
   Evidence evidence = good_evidence();
