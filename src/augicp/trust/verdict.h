@@ -95,12 +95,12 @@ struct VerdictLimits {
   double min_beyond_planes = 0.0025;
   double max_moved_on_planes = 0.5;
 
-  // Farther than this from the guess, in radii of gyration (a rotation by 60 degrees), the guess says nothing. The
+  // Farther than this from the guess, in radii of gyration (a rotation by 30 degrees), the guess says little. The
   // largest mean of both sides' shares in free space is then this, if at least this share is off the planes. The fewer
   // are, the less: the walls of another room fit, and only free space contradicts. Without any it is this part. Right
   // poses of generated rooms and LiDAR scans have up to 0.93 of the limit, and wrong ones of rooms that share nothing
   // and pass all other limits 1.08 and more.
-  double max_moved_near_guess = 1.0;
+  double max_moved_near_guess = 0.5;
   double max_mean_conflicting = 0.03;
   double enough_beyond_planes = 0.1;
   double conflicting_on_planes = 0.3;
