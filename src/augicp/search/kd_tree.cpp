@@ -2,6 +2,7 @@
 #include "augicp/search/kd_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "augicp/search/first_few.h"
@@ -30,14 +31,48 @@ FourFloats distances_sq(const Query& query, const KdNode& node) {
   return dx * dx + dy * dy + dz * dz;
 }
 
+// Squared distances to four of a leaf's points.
+FourFloats distances_sq(const Query& query, const KdLeaf& leaf, std::size_t four) {
+  const FourFloats dx = leaf.x[four] - query.x, dy = leaf.y[four] - query.y, dz = leaf.z[four] - query.z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
 std::array<float, KdLeaf::kPoints> distances_sq(const Query& query, const KdLeaf& leaf) {
   std::array<float, KdLeaf::kPoints> all;
   for (std::size_t four = 0; four < leaf.x.size(); ++four) {
-    const FourFloats dx = leaf.x[four] - query.x, dy = leaf.y[four] - query.y, dz = leaf.z[four] - query.z;
-    const FourFloats sum = dx * dx + dy * dy + dz * dz;
+    const FourFloats sum = distances_sq(query, leaf, four);
     std::memcpy(all.data() + 4 * four, &sum, sizeof sum);
   }
   return all;
+}
+
+// A bit for each number of four that is not above the limit, from the lowest bit on. (Comparisons give -1 or 0.)
+using FourBits [[gnu::vector_size(16)]] = std::int32_t;
+FourBits bits_within(const FourFloats& numbers, float limit, std::int32_t first_bit) {
+  return (numbers <= FourFloats{} + limit) & FourBits{first_bit, first_bit << 1, first_bit << 2, first_bit << 3};
+}
+
+std::uint32_t joined(const FourBits& bits) {
+  std::array<std::uint64_t, 2> halves;
+  std::memcpy(halves.data(), &bits, sizeof bits);
+  const std::uint64_t both = halves[0] | halves[1];
+  return static_cast<std::uint32_t>(both | both >> 32);
+}
+
+// Calls add(rank) for the points of a leaf that may have a rank below the limit: few of them once the limit is near.
+template <typename Add>
+void for_each_within(const KdLeaf& leaf, const Query& query, Rank limit, const Add& add) {
+  std::array<float, KdLeaf::kPoints> distance_sq;
+  FourBits bits{};
+  for (std::size_t four = 0; four < leaf.x.size(); ++four) {
+    const FourFloats sum = distances_sq(query, leaf, four);
+    std::memcpy(distance_sq.data() + 4 * four, &sum, sizeof sum);
+    bits |= bits_within(sum, distance_sq_of(limit), 1 << 4 * four);
+  }
+  for (std::uint32_t within = joined(bits); within != 0; within &= within - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(within));
+    add(rank_of(distance_sq[k], leaf.index[k]));
+  }
 }
 
 // FirstFew with one rank.
@@ -45,9 +80,8 @@ class First {
  public:
   explicit First(Rank limit) : limit_(limit) {}
   Rank limit() const { return limit_; }
-  void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq) {
-    for (std::size_t k = 0; k < KdLeaf::kPoints; ++k)
-      limit_ = std::min(limit_, rank_of(distances_sq[k], leaf.index[k]));
+  void add(const KdLeaf& leaf, const Query& query) {
+    for_each_within(leaf, query, limit_, [&](Rank rank) { limit_ = std::min(limit_, rank); });
   }
 
  private:
@@ -60,19 +94,30 @@ class FirstOfFew {
   explicit FirstOfFew(Rank limit) { ranks_.fill(limit); }
   const std::array<Rank, kFew>& ranks() const { return ranks_; }
   Rank limit() const { return ranks_.back(); }
-  void add(const KdLeaf& leaf, const std::array<float, KdLeaf::kPoints>& distances_sq) {
-    for (std::size_t k = 0; k < KdLeaf::kPoints; ++k) {
-      Rank rank = rank_of(distances_sq[k], leaf.index[k]);
+  void add(const KdLeaf& leaf, const Query& query) {
+    for_each_within(leaf, query, limit(), [&](Rank rank) {
       for (Rank& kept : ranks_) {  // keeps the lower and passes on the higher, without a branch
         const Rank lower = std::min(kept, rank);
         rank = std::max(kept, rank);
         kept = lower;
       }
-    }
+    });
   }
 
  private:
   std::array<Rank, kFew> ranks_;
+};
+
+// FirstFew, of a leaf.
+class FirstMany {
+ public:
+  explicit FirstMany(std::size_t count) : first_(count) {}
+  Rank limit() const { return first_.limit(); }
+  void add(const KdLeaf& leaf, const Query& query) { first_.add(leaf, distances_sq(query, leaf)); }
+  std::span<const Rank> sorted() { return first_.sorted(); }
+
+ private:
+  FirstFew first_;
 };
 
 std::optional<Neighbour> neighbour_below(Rank limit, Rank rank) {
@@ -93,7 +138,9 @@ constexpr std::size_t kMaxOpen = 64;
 Visit* open_children(const Query& query, const KdNode& node, Rank limit, Visit* open) {
   const FourFloats distance_sq = distances_sq(query, node);
   Visit* const first = open;
-  for (std::size_t k = 0; k < KdNode::kChildren; ++k) {
+  for (std::uint32_t within = joined(bits_within(distance_sq, distance_sq_of(limit), 1)); within != 0;
+       within &= within - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(within));
     const Rank rank = rank_of(distance_sq[k], node.least_index[k]);
     if (rank >= limit) continue;
     Visit* place = open++;
@@ -114,7 +161,7 @@ void visit(const KdNodes& tree, const Vec3f& point, Kept& kept) {
     if (next.least >= kept.limit()) continue;
     if (next.child & KdNode::kIsLeaf) {
       const KdLeaf& leaf = tree.leaves[next.child & ~KdNode::kIsLeaf];
-      kept.add(leaf, distances_sq(query, leaf));
+      kept.add(leaf, query);
     } else {
       end = open_children(query, tree.nodes[next.child], kept.limit(), end);
     }
@@ -175,7 +222,7 @@ float KdTree::distance_sq(const Vec3f& query, std::uint32_t index) const {
 std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count) const {
   count = std::min(count, index_->points.size());
   if (count == 0 || !query.allFinite()) return {};
-  FirstFew first(count);
+  FirstMany first(count);
   visit(index_->nodes, query, first);
   std::vector<Neighbour> found;
   found.reserve(count);
