@@ -1,7 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/cloud/cloud.h"
 
+#include "augicp/core/vectorized.h"
+
 namespace augicp {
+namespace {
+
+// Coordinates of whole points, and whole vectors of 16.
+constexpr std::size_t kLanes = 48;
+static_assert(sizeof(Vec3f) == 3 * sizeof(float));  // the coordinates of points are contiguous
+
+// REQUIRES: count is a multiple of kLanes.
+AUGICP_VECTORIZED void widen(const float* __restrict coordinates, std::size_t count, float* __restrict min,
+                             float* __restrict max) {
+  for (std::size_t first = 0; first < count; first += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const float x = coordinates[first + lane];
+      min[lane] = x < min[lane] ? x : min[lane];
+      max[lane] = x > max[lane] ? x : max[lane];
+    }
+}
+
+}  // namespace
 
 PointGaussian operator*(const Rigid3f& b_from_a, const PointGaussian& gaussian_in_a) {
   return {b_from_a * gaussian_in_a.mean, b_from_a.rotation * gaussian_in_a.information * b_from_a.rotation.transpose()};
@@ -22,11 +42,18 @@ Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a) {
 
 Bounds bounds(const Cloud& cloud) {
   if (cloud.empty()) return {};
+  const float* const first = cloud.points.front().data();
+  float min[kLanes], max[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane) min[lane] = max[lane] = first[lane % 3];
+  const std::size_t num_floats = 3 * cloud.size(), num_in_lanes = num_floats / kLanes * kLanes;
+  widen(first, num_in_lanes, min, max);
   Bounds box{cloud.points.front(), cloud.points.front()};
-  for (const Vec3f& point : cloud.points) {
-    box.min = box.min.cwiseMin(point);
-    box.max = box.max.cwiseMax(point);
-  }
+  const auto add = [&](std::size_t axis, float low, float high) {
+    if (low < box.min[axis]) box.min[axis] = low;
+    if (high > box.max[axis]) box.max[axis] = high;
+  };
+  for (std::size_t lane = 0; lane < kLanes; ++lane) add(lane % 3, min[lane], max[lane]);
+  for (std::size_t k = num_in_lanes; k < num_floats; ++k) add(k % 3, first[k], first[k]);
   return box;
 }
 

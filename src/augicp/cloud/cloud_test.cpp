@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <random>
+
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
 
@@ -76,6 +79,21 @@ TEST(Cloud, BoundsHoldEveryPoint) {
   EXPECT_EQ(box.max, Vec3f(1.0f, 0.0f, 3.0f));
   EXPECT_DOUBLE_EQ(box.diagonal(), 3.0);
   EXPECT_EQ(bounds(Cloud{}).diagonal(), 0.0);
+}
+
+TEST(Cloud, BoundsAreThoseOfAnyNumberOfPoints) {
+  std::mt19937 generator(1);
+  std::normal_distribution<float> normal(3.0f, 1.0f);
+  Cloud cloud;
+  Bounds expected{Vec3f::Constant(std::numeric_limits<float>::infinity()),
+                  Vec3f::Constant(-std::numeric_limits<float>::infinity())};
+  for (int count = 1; count < 200; ++count) {
+    cloud.points.emplace_back(normal(generator), -normal(generator), normal(generator));
+    expected.min = expected.min.cwiseMin(cloud.points.back());
+    expected.max = expected.max.cwiseMax(cloud.points.back());
+    EXPECT_EQ(bounds(cloud).min, expected.min);
+    EXPECT_EQ(bounds(cloud).max, expected.max);
+  }
 }
 
 }  // namespace

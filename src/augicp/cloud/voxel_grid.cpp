@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "augicp/cloud/voxel_cells.h"
+#include "augicp/cloud/voxel_means.h"
 #include "augicp/core/check.h"
 
 namespace augicp {
@@ -136,6 +137,13 @@ Cloud downsample(const Cloud& cloud, double voxel_size) {
   const VoxelCells cells = voxel_cells(cloud, voxel_size);
   const bool has_more =
       cloud.has_directions() || cloud.has_gaussians() || cloud.has_intensities() || !cloud.weights.empty();
+  if (!has_more) {
+    if (auto few = few_voxel_means(cloud, cells)) {
+      Cloud sampled = select(cloud, {});
+      sampled.points = std::move(*few);
+      return sampled;
+    }
+  }
   SortedPoints sorted = by_voxel(cloud, cells);
   std::vector<std::uint32_t> nearest;
   std::vector<Vec3f> means;

@@ -176,6 +176,15 @@ TEST(VoxelGrid, AreCountedAsThePointsThatStay) {
   EXPECT_EQ(count_voxels(one, 1.0), 1u);
 }
 
+// Few voxels are summed as they come, many are sorted, and so are those of points with attributes.
+TEST(VoxelGrid, FewAndManyVoxelsHaveTheSameMeans) {
+  Cloud bare = random_cloud(60000, 1.0);
+  Cloud weighted = bare;
+  weighted.weights.assign(weighted.size(), 1.0f);
+  for (const double voxel_size : {0.01, 0.03, 0.041, 0.2})
+    EXPECT_EQ(downsample(bare, voxel_size).points, downsample(weighted, voxel_size).points) << voxel_size;
+}
+
 TEST(VoxelGrid, DirectionsComeFromAMember) {
   Cloud cloud;
   cloud.points = {{0.0f, 0.0f, 0.0f}, {0.01f, 0.0f, 0.0f}, {0.05f, 0.0f, 0.0f}};

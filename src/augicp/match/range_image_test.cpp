@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "augicp/match/cube_cells.h"
 #include "augicp/match/matcher.h"
 
 namespace augicp {
@@ -54,6 +55,21 @@ double share_of(Sight sight, const RangeImage& image, const Cloud& points, const
   const auto count = std::count_if(points.points.begin(), points.points.end(),
                                    [&](const Vec3f& p) { return image.sight(p + moved, kTolerance) == sight; });
   return static_cast<double>(count) / static_cast<double>(points.size());
+}
+
+// Within a face the neighbours are found without a way round the cube's edges.
+TEST(CubeCells, AroundAreThoseOfTheDirectionsAround) {
+  std::mt19937 generator(5);
+  for (const int cells_per_edge : {8, 64, 256})
+    for (int repetition = 0; repetition < 2000; ++repetition) {
+      const FacePoint at = on_cube(random_ray(generator));
+      const auto around = cells_around(at, cells_per_edge);
+      const float step = 2.0f / static_cast<float>(cells_per_edge);
+      std::size_t k = 0;
+      for (const float dv : {-step, 0.0f, step})
+        for (const float du : {-step, 0.0f, step})
+          EXPECT_EQ(around[k++], cell_of(on_cube(direction_of({at.face, at.u + du, at.v + dv})), cells_per_edge));
+    }
 }
 
 TEST(RangeImage, OwnPointsAreAtTheSurface) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "augicp/core/vectorized.h"
 #include "augicp/match/cube_cells.h"
 
 namespace augicp {
@@ -68,19 +69,51 @@ std::size_t num_compared(std::size_t num_rays) {
   return std::min(num_rays, std::max(kTypicalRays, kMaxPairs / std::max<std::size_t>(num_rays, 1)));
 }
 
-float spacing_at(std::size_t ray, const std::vector<Vec3f>& directions) {
-  float nearest_sq = 4.0f;  // of the opposite direction
-  for (std::size_t other = 0; other < directions.size(); ++other)
-    if (other != ray) nearest_sq = std::min(nearest_sq, (directions[other] - directions[ray]).squaredNorm());
-  return std::sqrt(nearest_sq);
+// Unit vectors, coordinate by coordinate.
+struct Directions {
+  std::vector<float> x, y, z;
+};
+
+Directions directions_of(const std::vector<Vec3f>& rays) {
+  Directions directions;
+  for (std::vector<float>* numbers : {&directions.x, &directions.y, &directions.z}) numbers->reserve(rays.size());
+  for (const Vec3f& ray : rays) {
+    const Vec3f direction = ray.normalized();
+    directions.x.push_back(direction.x()), directions.y.push_back(direction.y()), directions.z.push_back(direction.z());
+  }
+  return directions;
+}
+
+// The least squared distance between a direction and those of a range.
+constexpr std::size_t kLanes = 16;
+AUGICP_VECTORIZED float nearest_sq(const Directions& directions, std::size_t ray, std::size_t begin, std::size_t end) {
+  const float *x = directions.x.data(), *y = directions.y.data(), *z = directions.z.data();
+  const float rx = x[ray], ry = y[ray], rz = z[ray];
+  float least[kLanes];
+  for (float& lane : least) lane = 4.0f;  // of the opposite direction
+  std::size_t other = begin;
+  for (; other + kLanes <= end; other += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const float dx = x[other + lane] - rx, dy = y[other + lane] - ry, dz = z[other + lane] - rz;
+      const float sq = dx * dx + (dy * dy + dz * dz);
+      least[lane] = sq < least[lane] ? sq : least[lane];
+    }
+  for (std::size_t lane = 0; other < end; ++other, ++lane) {
+    const float dx = x[other] - rx, dy = y[other] - ry, dz = z[other] - rz;
+    least[lane] = std::min(least[lane], dx * dx + (dy * dy + dz * dz));
+  }
+  return *std::min_element(least, least + kLanes);
+}
+
+float spacing_at(std::size_t ray, const Directions& directions) {
+  return std::sqrt(
+      std::min(nearest_sq(directions, ray, 0, ray), nearest_sq(directions, ray, ray + 1, directions.x.size())));
 }
 
 void measure_spacing(RayPatch& patch) {
-  std::vector<Vec3f> directions;
-  for (const Vec3f& ray : patch.rays) directions.push_back(ray.normalized());
-  const std::size_t count = num_compared(directions.size());
-  for (std::size_t k = 0; k < count; ++k)
-    patch.spacing.push_back(spacing_at(k * directions.size() / count, directions));
+  const Directions directions = directions_of(patch.rays);
+  const std::size_t num_rays = patch.rays.size(), count = num_compared(num_rays);
+  for (std::size_t k = 0; k < count; ++k) patch.spacing.push_back(spacing_at(k * num_rays / count, directions));
 }
 
 }  // namespace

@@ -2,10 +2,8 @@
 #include "augicp/registration/lengths.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "augicp/core/median.h"
@@ -23,32 +21,38 @@ constexpr double kRadiusPerExtent = 1.0 / 30.0;
 constexpr double kVoxelPerRadius = 1.0 / 4.0;
 constexpr double kGatePerExtent = 1.0 / 4.0;
 
-// The order of the upper bits of floats: never decreasing with the value.
-constexpr int kBinBits = 12;
-std::size_t bin_of(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t ordered = bits >> 31 ? ~bits : bits | 0x80000000;
-  return ordered >> (32 - kBinBits);
+// Of so many values a sample tells between which two a rank lies.
+constexpr std::size_t kSampleSize = 512, kMinValues = 8 * kSampleSize;
+constexpr std::size_t kSampleMargin = 48;  // four standard deviations of a sample's median and more
+
+struct Bracket {
+  float low, high;
+};
+
+// Two values between which the value at a rank most likely lies.
+Bracket likely_bracket(const std::vector<float>& values, std::size_t rank) {
+  std::vector<float> sample(kSampleSize);
+  for (std::size_t k = 0; k < kSampleSize; ++k) sample[k] = values[k * values.size() / kSampleSize];
+  std::sort(sample.begin(), sample.end());
+  const std::size_t place = rank * kSampleSize / values.size();
+  return {sample[place - std::min(place, kSampleMargin)], sample[std::min(place + kSampleMargin, kSampleSize - 1)]};
 }
 
-// The values of the bin of the place-th value in ascending order; place becomes the place within the bin.
-std::vector<float> bin_around(const std::vector<float>& values, std::size_t& place) {
-  std::vector<std::uint32_t> count(1 << kBinBits);
-  for (float value : values) ++count[bin_of(value)];
-  std::size_t bin = 0;
-  for (; place >= count[bin]; ++bin) place -= count[bin];
-  std::vector<float> within;
-  within.reserve(count[bin]);
-  std::copy_if(values.begin(), values.end(), std::back_inserter(within),
-               [=](float value) { return bin_of(value) == bin; });
-  return within;
-}
-
-// Selecting within one bin takes a fraction of the time of selecting among all values. REQUIRES: no value is NaN.
-float quantile(const std::vector<float>& values, double share) {
-  auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::vector<float> within = bin_around(values, place);
-  return value_at_rank(std::move(within), place);
+// Selecting within a bracket takes a fraction of the time of selecting among all values. REQUIRES: no value is NaN.
+float quantile(std::vector<float> values, double share) {
+  const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+  if (values.size() < kMinValues) return value_at_rank(std::move(values), rank);
+  const auto [low, high] = likely_bracket(values, rank);
+  std::vector<float> within(values.size());
+  std::size_t num_below = 0, num_within = 0;
+  for (const float value : values) {  // no branch: it would be unpredictable
+    within[num_within] = value;
+    num_below += value < low ? 1 : 0;
+    num_within += value >= low && value <= high ? 1 : 0;
+  }
+  if (rank < num_below || rank >= num_below + num_within) return value_at_rank(std::move(values), rank);
+  within.resize(num_within);
+  return value_at_rank(std::move(within), rank - num_below);
 }
 
 std::vector<float> distances_from(const Vec3f& centre, const Cloud& cloud) {

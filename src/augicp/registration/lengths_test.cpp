@@ -25,7 +25,9 @@ std::vector<Cloud> clouds() {
   for (Vec3f& point : shifted.points) point -= Vec3f(1e6f, -30.0f, 0.0f);
   equal.points.assign(100, Vec3f(0.0f, -1.0f, 1e18f));
   for (std::size_t i = 0; i < wide.size(); ++i) wide.points[i] *= i % 3 == 0 ? 1e18f : i % 3 == 1 ? 1e-30f : 0.0f;
-  clouds.insert(clouds.end(), {shifted, equal, wide});
+  Cloud uneven = random_points(16384, 1.0, 4);  // every 32nd point, of which a sample may consist, is far off
+  for (std::size_t i = 0; i < uneven.size(); i += 32) uneven.points[i] *= 100.0f;
+  clouds.insert(clouds.end(), {shifted, equal, wide, uneven});
   return clouds;
 }
 
