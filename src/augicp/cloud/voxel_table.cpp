@@ -5,27 +5,18 @@ namespace augicp {
 namespace {
 
 constexpr int kFirstBits = 12;
+constexpr std::size_t kSlotsPerKey = 4;
 
 }  // namespace
 
 VoxelTable::VoxelTable() : shift_(64 - kFirstBits), slots_(std::size_t{1} << kFirstBits, kFree) {}
 
-// Where the key is, or else the free slot for it.
-std::size_t VoxelTable::slot_of(std::uint64_t key) const {
-  constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15;  // multiplicative hashing, Knuth vol. 3, 6.4
-  std::size_t slot = key * kGoldenRatio >> shift_;
-  while (slots_[slot] != kFree && keys_[slots_[slot]] != key) slot = (slot + 1) & (slots_.size() - 1);
-  return slot;
-}
-
-std::size_t VoxelTable::found_or_added(std::uint64_t key) {
-  std::uint32_t& number = slots_[slot_of(key)];
-  if (number != kFree) return number;
-  const std::size_t added = keys_.size();
-  number = static_cast<std::uint32_t>(added);
+std::size_t VoxelTable::added(std::uint64_t key) {
+  const std::size_t number = keys_.size();
+  slots_[slot_of(key)] = static_cast<std::uint32_t>(number);
   keys_.push_back(key);
-  if (2 * keys_.size() > slots_.size()) grow();
-  return added;
+  if (kSlotsPerKey * keys_.size() > slots_.size()) grow();
+  return number;
 }
 
 void VoxelTable::grow() {

@@ -17,33 +17,36 @@ inline std::uint64_t packed_key(const Parts& parts) {
   return axis(0) | axis(1) << kBits | axis(2) << (2 * kBits);
 }
 
-// Numbers distinct keys 0, 1, 2... A table with open addressing, at most half full. It grows with the keys: the few
-// voxels of many points stay in the cache.
+// Numbers distinct keys 0, 1, 2... A table with open addressing, at most a quarter full, so that mostly the first slot
+// is right. It grows with the keys: the few voxels of many points stay in the cache.
 class VoxelTable {
  public:
   VoxelTable();
   std::size_t size() const { return keys_.size(); }
 
-  // The number of a key, which is new if it equals the size before. Neighbours in a scan mostly share their voxel.
+  // The number of a key, which is new if it equals the size before.
   std::size_t number_of(std::uint64_t key) {
-    if (key == last_key_) return last_;
-    last_key_ = key;
-    last_ = found_or_added(key);
-    return last_;
+    const std::uint32_t number = slots_[slot_of(key)];
+    return number != kFree ? number : added(key);
   }
 
  private:
   static constexpr std::uint32_t kFree = UINT32_MAX;
-  static constexpr std::uint64_t kNoKey = UINT64_MAX;
-  std::size_t slot_of(std::uint64_t key) const;
-  std::size_t found_or_added(std::uint64_t key);
+
+  // Where the key is, or else the free slot for it.
+  std::size_t slot_of(std::uint64_t key) const {
+    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15;  // multiplicative hashing, Knuth vol. 3, 6.4
+    std::size_t slot = key * kGoldenRatio >> shift_;
+    while (slots_[slot] != kFree && keys_[slots_[slot]] != key) slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  std::size_t added(std::uint64_t key);
   void grow();
 
   int shift_;
   std::vector<std::uint32_t> slots_;  // numbers
   std::vector<std::uint64_t> keys_;
-  std::uint64_t last_key_ = kNoKey;
-  std::size_t last_ = 0;
 };
 
 }  // namespace augicp

@@ -22,4 +22,12 @@ std::unique_ptr<MatchSession> Matcher::session(const Cloud& source) const {
   return std::make_unique<PlainSession>(source, *this);
 }
 
+std::vector<std::vector<Correspondence>> Matcher::match_each(const Cloud& source, std::span<const Rigid3> poses,
+                                                             const Gates& gates, int num_threads) const {
+  const std::unique_ptr<MatchSession> one_session = session(source);
+  std::vector<std::vector<Correspondence>> pairs;
+  for (const Rigid3& pose : poses) pairs.push_back(one_session->match(pose, gates, num_threads));
+  return pairs;
+}
+
 }  // namespace augicp

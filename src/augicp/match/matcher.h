@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "augicp/cloud/correspondence.h"
@@ -40,6 +41,10 @@ class Matcher {
   // For one pose after another, as align() needs them. The matcher and the source must outlive it. The default calls
   // match() for each.
   virtual std::unique_ptr<MatchSession> session(const Cloud& source) const;
+
+  // The pairs under each of several poses that are near each other. The default calls match() of a session for each.
+  virtual std::vector<std::vector<Correspondence>> match_each(const Cloud& source, std::span<const Rigid3> poses,
+                                                              const Gates& gates, int num_threads) const;
 };
 
 // Compares a target with a source under a pose, whatever pairs there are.
@@ -74,6 +79,8 @@ class NearestMatcher final : public ScanMatcher {
   std::vector<Correspondence> match(const Cloud& source, const Rigid3& target_from_source, const Gates& gates,
                                     int num_threads) const override;
   std::unique_ptr<MatchSession> session(const Cloud& source) const override;
+  std::vector<std::vector<Correspondence>> match_each(const Cloud& source, std::span<const Rigid3> poses,
+                                                      const Gates& gates, int num_threads) const override;
 
   // A source point that does not agree lies in free space or is hidden if the lines of sight say so. Otherwise it is
   // unseen if it is farther than some tolerances from every target point.

@@ -159,6 +159,29 @@ TEST(Matcher, SessionOfManyPosesIsThatOfEachForAnyNumberOfThreads) {
   }
 }
 
+// Near poses and far ones, under gates that hide some points or all, and coordinates whose squares leave float.
+TEST(Matcher, PairsUnderEachOfSeveralPosesAreThoseOfEachAlone) {
+  std::mt19937 generator(21);
+  for (const double size : {1e-22, 1.0, 100.0, 1e20})
+    for (const double part : {0.0, 1e-3, 0.05, 3.0}) {
+      Cloud target = random_extended_points(1500, 1.0, 1), source = random_extended_points(700, 1.0, 2);
+      for (Cloud* cloud : {&target, &source})
+        for (Vec3f& point : cloud->points) point *= static_cast<float>(size);
+      std::vector<Rigid3> poses{Rigid3{}};
+      for (int k = 0; k < 12; ++k) poses.push_back(testing::random_motion(generator, 0.3 * part, part * size));
+      const NearestMatcher matcher(target);
+      for (const double max_distance : {0.05 * size, size, std::numeric_limits<double>::infinity()}) {
+        Gates gates;
+        gates.max_distance = max_distance;
+        const auto pairs = matcher.match_each(source, poses, gates, 2);
+        ASSERT_EQ(pairs.size(), poses.size());
+        for (std::size_t k = 0; k < poses.size(); ++k)
+          EXPECT_EQ(pairs[k], matcher.match(source, poses[k], gates, 1)) << size << " " << part << " " << max_distance;
+      }
+      EXPECT_TRUE(matcher.match_each(source, {}, {}, 1).empty());
+    }
+}
+
 TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
   std::mt19937 generator(2);
   for (const Case& one : cases()) {

@@ -2,6 +2,7 @@
 #include "augicp/core/parallel.h"
 #include "augicp/match/agreement_count.h"
 #include "augicp/match/matcher.h"
+#include "augicp/match/nearby_poses.h"
 #include "augicp/match/pair_filter.h"
 #include "augicp/search/nearest_memory.h"
 
@@ -80,6 +81,11 @@ std::vector<Correspondence> NearestMatcher::match(const Cloud& source, const Rig
 
 std::unique_ptr<MatchSession> NearestMatcher::session(const Cloud& source) const {
   return std::make_unique<NearestSession>(source, target_, tree_);
+}
+
+std::vector<std::vector<Correspondence>> NearestMatcher::match_each(const Cloud& source, std::span<const Rigid3> poses,
+                                                                    const Gates& gates, int num_threads) const {
+  return match_nearby(source, target_, tree_, poses, gates, num_threads);
 }
 
 std::vector<PointAgreement> NearestMatcher::agreements(const Cloud& source, const Rigid3& target_from_source,

@@ -37,7 +37,8 @@ void sort_few(Rank* ranks, std::size_t count) {
 
 }  // namespace
 
-FirstFew::FirstFew(std::size_t count) : count_(count), enough_(count + count / 2 + KdLeaf::kPoints) {
+FirstFew::FirstFew(std::size_t count, Rank limit)
+    : count_(count), enough_(count + count / 2 + KdLeaf::kPoints), limit_(limit) {
   const std::size_t room = enough_ + KdLeaf::kPoints;
   if (room > kFewRanks) many_.resize(room);
   ranks_ = room > kFewRanks ? many_.data() : few_.data();

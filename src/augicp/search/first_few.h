@@ -32,7 +32,8 @@ inline constexpr Rank kMissing =
 inline constexpr std::size_t kFewRanks = 64;
 class FirstFew {
  public:
-  explicit FirstFew(std::size_t count);  // above 0
+  // count: above 0. limit: only lower ranks are kept.
+  FirstFew(std::size_t count, Rank limit);
   FirstFew(const FirstFew&) = delete;
   FirstFew& operator=(const FirstFew&) = delete;
 
@@ -53,7 +54,7 @@ class FirstFew {
   std::vector<Rank> many_;  // used instead if count is large
   Rank* ranks_;
   std::size_t num_ranks_ = 0;
-  Rank limit_ = kMissing;
+  Rank limit_;
 };
 
 }  // namespace augicp

@@ -111,13 +111,31 @@ class FirstOfFew {
 // FirstFew, of a leaf.
 class FirstMany {
  public:
-  explicit FirstMany(std::size_t count) : first_(count) {}
+  FirstMany(std::size_t count, Rank limit) : first_(count, limit) {}
   Rank limit() const { return first_.limit(); }
   void add(const KdLeaf& leaf, const Query& query) { first_.add(leaf, distances_sq(query, leaf)); }
   std::span<const Rank> sorted() { return first_.sorted(); }
 
  private:
   FirstFew first_;
+};
+
+// All points that are not above the limit. A missing one, at infinity, is none.
+class AllWithin {
+ public:
+  AllWithin(float max_distance_sq, std::vector<std::uint32_t>& found)
+      : limit_(std::min(rank_of(max_distance_sq, kNoPoint), kMissing)), found_(found) {}
+  Rank limit() const { return limit_; }
+  void add(const KdLeaf& leaf, const Query& query) {
+    for_each_within(leaf, query, limit_, [&](Rank rank) {
+      if (rank != kMissing) found_.push_back(index_of(rank));
+    });
+  }
+
+ private:
+  static constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
+  Rank limit_;
+  std::vector<std::uint32_t>& found_;
 };
 
 std::optional<Neighbour> neighbour_below(Rank limit, Rank rank) {
@@ -219,15 +237,22 @@ float KdTree::distance_sq(const Vec3f& query, std::uint32_t index) const {
   return distance_sq_between(index_->points[index], query);
 }
 
-std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count) const {
+std::vector<Neighbour> KdTree::nearest_k(const Vec3f& query, std::size_t count, float max_distance_sq) const {
   count = std::min(count, index_->points.size());
-  if (count == 0 || !query.allFinite()) return {};
-  FirstMany first(count);
+  if (count == 0 || !query.allFinite() || !(max_distance_sq > 0.0f)) return {};
+  const bool is_limited = max_distance_sq < std::numeric_limits<float>::infinity();
+  FirstMany first(count, is_limited ? rank_of(max_distance_sq, 0) : kMissing);
   visit(index_->nodes, query, first);
   std::vector<Neighbour> found;
   found.reserve(count);
   for (const Rank rank : first.sorted()) found.push_back({index_of(rank), distance_sq_of(rank)});
   return found;
+}
+
+void KdTree::append_within(const Vec3f& query, float max_distance_sq, std::vector<std::uint32_t>& found) const {
+  if (!query.allFinite() || !(max_distance_sq >= 0.0f)) return;
+  AllWithin within(max_distance_sq, found);
+  visit(index_->nodes, query, within);
 }
 
 }  // namespace augicp

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -45,8 +46,12 @@ class KdTree {
   // The squared distance of a point, rounded as in the results of queries.
   float distance_sq(const Vec3f& query, std::uint32_t index) const;
 
-  // The count nearest points, nearest first; fewer if the cloud has fewer.
-  std::vector<Neighbour> nearest_k(const Vec3f& query, std::size_t count) const;
+  // The count nearest points at a squared distance below max_distance_sq, nearest first; fewer if there are fewer.
+  std::vector<Neighbour> nearest_k(const Vec3f& query, std::size_t count,
+                                   float max_distance_sq = std::numeric_limits<float>::infinity()) const;
+
+  // Appends the indices of all points at a squared distance of at most max_distance_sq, in no particular order.
+  void append_within(const Vec3f& query, float max_distance_sq, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Index;

@@ -150,6 +150,37 @@ TEST(KdTree, NearestFewBelowAGateAreTheFirstOfMany) {
   }
 }
 
+TEST(KdTree, ManyBelowAGateAreTheFirstOfAll) {
+  for (const auto& [name, cloud] : awkward_clouds()) {
+    const KdTree tree(cloud);
+    for (const Vec3f& query : queries()) {
+      const std::vector<Neighbour> expected = tree.nearest_k(query, 20);
+      for (float gate : {kFar, 0.1f, 1e-3f, 0.0f}) {
+        const std::vector<Neighbour> found = tree.nearest_k(query, 20, gate);
+        const auto is_below = [=](const Neighbour& one) { return one.distance_sq < gate; };
+        ASSERT_EQ(found.size(), static_cast<std::size_t>(std::count_if(expected.begin(), expected.end(), is_below)))
+            << name << gate;
+        for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found[k].index, expected[k].index) << name << gate;
+      }
+    }
+  }
+}
+
+TEST(KdTree, AllWithinADistanceAreTheBruteForceOnes) {
+  for (const auto& [name, cloud] : awkward_clouds()) {
+    const KdTree tree(cloud);
+    for (const Vec3f& query : queries())
+      for (float limit : {kFar, 0.1f, 1e-3f, 0.0f}) {
+        std::vector<std::uint32_t> expected, found;
+        for (std::uint32_t i = 0; i < cloud.size(); ++i)
+          if (tree.distance_sq(query, i) <= limit) expected.push_back(i);
+        tree.append_within(query, limit, found);
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected) << name << limit;
+      }
+  }
+}
+
 TEST(KdTree, GateOfNearestIsStrict) {
   Cloud cloud;
   cloud.points = {{2.0f, 0.0f, 0.0f}};

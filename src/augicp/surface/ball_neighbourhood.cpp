@@ -25,8 +25,8 @@ constexpr std::size_t kFewNeighbours = std::size_t{1} << 24;  // allowed for any
 void append_nearest(const KdTree& tree, const Vec3f& centre, const BallOptions& options,
                     std::vector<std::uint32_t>& neighbours) {
   const auto max_radius_sq = static_cast<float>(options.max_radius * options.max_radius);
-  for (const Neighbour& found : tree.nearest_k(centre, options.min_points))
-    if (found.distance_sq < max_radius_sq) neighbours.push_back(found.index);
+  for (const Neighbour& found : tree.nearest_k(centre, options.min_points, max_radius_sq))
+    neighbours.push_back(found.index);
 }
 
 // The number of rows is known at compile time, so that a sum stays in registers.

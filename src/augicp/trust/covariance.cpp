@@ -64,18 +64,16 @@ Mat6d curvature(const Matcher& matcher, const Solution& solution, const Mat6d& d
   const Cloud& source = solution.posed.source;
   const Rigid3& minimum = solution.posed.target_from_source;
   const Cloud asked = evenly_chosen(source, kNumAsked);
-  const std::unique_ptr<MatchSession> session = matcher.session(asked);
-  session->match(minimum, solution.gates, num_threads);  // all others are near
-  const auto gradient = [&](const Vec6d& increment) -> Vec6d {
-    const Rigid3 pose = retract(minimum, increment);
-    const auto pairs = session->match(pose, solution.gates, num_threads);
-    return linearize({asked, matcher.target(), pairs, pose}, solution.objective, num_threads).b;
+  std::vector<Rigid3> poses;  // ahead and back along each direction
+  for (Eigen::Index k = 0; k < 6; ++k)
+    for (const double sign : {1.0, -1.0}) poses.push_back(retract(minimum, sign * step * directions.col(k)));
+  const auto pairs = matcher.match_each(asked, poses, solution.gates, num_threads);
+  const auto gradient = [&](std::size_t k) -> Vec6d {
+    return linearize({asked, matcher.target(), pairs[k], poses[k]}, solution.objective, num_threads).b;
   };
   Mat6d changes;
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    const Vec6d ahead = step * directions.col(k);
-    changes.col(k) = (gradient(ahead) - gradient(-ahead)) / (2.0 * step);
-  }
+  for (std::size_t k = 0; k < 6; ++k)
+    changes.col(static_cast<Eigen::Index>(k)) = (gradient(2 * k) - gradient(2 * k + 1)) / (2.0 * step);
   const double points_per_asked = static_cast<double>(source.size()) / static_cast<double>(asked.size());
   const Mat6d along = 0.5 * points_per_asked * (directions.transpose() * changes + changes.transpose() * directions);
   const Mat6d back = directions.inverse();
