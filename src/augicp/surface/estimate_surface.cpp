@@ -2,12 +2,31 @@
 #include "augicp/surface/estimate_surface.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
 
 #include "augicp/core/parallel.h"
+#include "augicp/surface/eigen_batch.h"
 #include "augicp/surface/moments.h"
 
 namespace augicp {
 namespace {
+
+// Collects matrices, at most kEigenBatch, and solves them at once.
+class Solver {
+ public:
+  void add(const Mat3d& matrix) { matrices_[count_++] = matrix; }
+  std::span<const Eigen3> solved() {
+    eigen_of_symmetric(std::span(matrices_).first(count_), solved_);
+    return std::span(solved_).first(std::exchange(count_, 0));
+  }
+
+ private:
+  std::array<Mat3d, kEigenBatch> matrices_;
+  std::array<Eigen3, kEigenBatch> solved_;
+  std::size_t count_ = 0;
+};
 
 // A unit vector from the sensor to the point; zero if the position of the sensor is unknown.
 Vec3d line_of_sight(const Cloud& cloud, std::size_t i) {
@@ -44,15 +63,25 @@ std::vector<Shape> shapes_of_points(const Cloud& cloud, const Neighbourhood& nei
                                     const SurfaceOptions& options, int num_threads) {
   const Channels sums = neighbourhood.sum(point_moments(cloud), num_threads);
   std::vector<Shape> shapes(cloud.size());
-  for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Gaussian points = gaussian_of(sums.col(static_cast<Eigen::Index>(i)));
-      const Eigen3 eigen = eigen_of_symmetric(points.covariance);
-      shapes[i] = options.classifier == Classifier::Eigenvalues
-                      ? shape_of_points(points, eigen, options.thresholds)
-                      : line_or_normal(points, eigen, line_of_sight(cloud, i), options.thresholds);
+  const auto shape_of = [&](std::size_t i, const Gaussian& points, const Eigen3& eigen) {
+    return options.classifier == Classifier::Eigenvalues
+               ? shape_of_points(points, eigen, options.thresholds)
+               : line_or_normal(points, eigen, line_of_sight(cloud, i), options.thresholds);
+  };
+  const auto find_shapes = [&](std::size_t begin, std::size_t end) {
+    std::array<Gaussian, kEigenBatch> points;
+    Solver solver;
+    for (std::size_t first = begin; first < end; first += kEigenBatch) {
+      const std::size_t count = std::min(kEigenBatch, end - first);
+      for (std::size_t k = 0; k < count; ++k) {
+        points[k] = gaussian_of(sums.col(static_cast<Eigen::Index>(first + k)));
+        solver.add(points[k].covariance);
+      }
+      const std::span<const Eigen3> solved = solver.solved();
+      for (std::size_t k = 0; k < count; ++k) shapes[first + k] = shape_of(first + k, points[k], solved[k]);
     }
-  });
+  };
+  for_each_block(cloud.size(), num_threads, find_shapes);
   return shapes;
 }
 
@@ -66,14 +95,26 @@ std::vector<NormalSpread> normal_spreads(const std::vector<Shape>& shapes, const
   const Channels sums = neighbourhood.sum(normal_moments(shapes), num_threads);
   const double least = std::min(thresholds.min_crease, thresholds.clear_crease);
   std::vector<NormalSpread> spreads(shapes.size());
-  for_each_block(shapes.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+  const auto find_spreads = [&](std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> points;
+    Solver solver;
+    const auto solve = [&] {
+      const std::span<const Eigen3> solved = solver.solved();
+      for (std::size_t k = 0; k < points.size(); ++k) spreads[points[k]] = spread_of_normals(solved[k]);
+      points.clear();
+    };
     for (std::size_t i = begin; i < end; ++i) {
       const auto column = sums.col(static_cast<Eigen::Index>(i));
       if (shapes[i].structure == Structure::Edge || column[0] < thresholds.min_points) continue;
       const Mat3d mean_outer_normal = unpack(column.segment<6>(1)) / column[0];
-      if (largest_spread(mean_outer_normal) >= least) spreads[i] = spread_of_normals(mean_outer_normal);
+      if (largest_spread(mean_outer_normal) < least) continue;
+      points.push_back(i);
+      solver.add(mean_outer_normal);
+      if (points.size() == kEigenBatch) solve();
     }
-  });
+    solve();
+  };
+  for_each_block(shapes.size(), num_threads, find_spreads);
   return spreads;
 }
 

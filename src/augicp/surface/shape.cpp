@@ -31,9 +31,8 @@ Shape line_or_normal(const Gaussian& points, const Eigen3& eigen, const Vec3d& l
   return {Structure::Planar, eigen.vectors.col(0)};
 }
 
-NormalSpread spread_of_normals(const Mat3d& mean_outer_normal) {
-  const Eigen3 eigen = eigen_of_symmetric(mean_outer_normal);
-  return {eigen.vectors.col(0), eigen.values[1], eigen.values[0]};
+NormalSpread spread_of_normals(const Eigen3& of_mean_outer_normal) {
+  return {of_mean_outer_normal.vectors.col(0), of_mean_outer_normal.values[1], of_mean_outer_normal.values[0]};
 }
 
 }  // namespace augicp

@@ -99,6 +99,6 @@ struct NormalSpread {
   double across = 0.0;  // second and third eigenvalue of the mean outer product of the normals
   double along = 0.0;
 };
-NormalSpread spread_of_normals(const Mat3d& mean_outer_normal);
+NormalSpread spread_of_normals(const Eigen3& of_mean_outer_normal);
 
 }  // namespace augicp

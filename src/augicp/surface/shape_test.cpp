@@ -58,12 +58,12 @@ TEST(Shape, LineAlongTheLineOfSightIsNoWire) {
 TEST(Shape, SpreadOfTwoAndOfThreeNormals) {
   const Mat3d x = Vec3d::UnitX() * Vec3d::UnitX().transpose(), y = Vec3d::UnitY() * Vec3d::UnitY().transpose();
   const Mat3d z = Vec3d::UnitZ() * Vec3d::UnitZ().transpose();
-  EXPECT_NEAR(spread_of_normals(x).across, 0.0, kDigits);
-  const NormalSpread crease = spread_of_normals(0.75 * x + 0.25 * y);
+  EXPECT_NEAR(spread_of_normals(eigen_of_symmetric(x)).across, 0.0, kDigits);
+  const NormalSpread crease = spread_of_normals(eigen_of_symmetric(0.75 * x + 0.25 * y));
   EXPECT_NEAR(crease.across, 0.25, kDigits);
   EXPECT_NEAR(crease.along, 0.0, kDigits);
   EXPECT_NEAR(std::abs(crease.tangent.z()), 1.0, kDigits);
-  EXPECT_NEAR(spread_of_normals(0.5 * x + 0.3 * y + 0.2 * z).along, 0.2, kDigits);
+  EXPECT_NEAR(spread_of_normals(eigen_of_symmetric(0.5 * x + 0.3 * y + 0.2 * z)).along, 0.2, kDigits);
 }
 
 TEST(Shape, EigenvectorsRebuildTheMatrix) {
