@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "augicp/core/vectorized.h"
 #include "augicp/match/cube_cells.h"
@@ -19,15 +20,36 @@ constexpr int kMinCellsPerEdge = 8, kMaxCellsPerEdge = 128;
 
 constexpr std::uint32_t kNoCell = UINT32_MAX;
 
+// cell_of(on_cube()) without branches.
+AUGICP_INLINE std::uint32_t cell_towards(float x, float y, float z, std::int32_t cells_per_edge) {
+  const float ax = std::abs(x), ay = std::abs(y), az = std::abs(z);
+  const bool is_y = ay > ax, is_z = az > (is_y ? ay : ax), has_direction = x * x + (y * y + z * z) > 0.0f;
+  const float longest = is_z ? z : is_y ? y : x, largest = has_direction ? std::abs(longest) : 1.0f;
+  const float u = (is_z ? x : is_y ? z : y) / largest, v = (is_z ? y : is_y ? x : z) / largest;
+  const std::int32_t axis = is_z ? 2 : is_y ? 1 : 0, face = longest < 0.0f ? axis + 3 : axis;
+  const auto per_edge = static_cast<float>(cells_per_edge);
+  const auto along = [=](float at) {
+    const auto cell = static_cast<std::int32_t>((at + 1.0f) * 0.5f * per_edge);
+    return cell < 0 ? 0 : cell < cells_per_edge ? cell : cells_per_edge - 1;
+  };
+  const std::int32_t cell = (face * cells_per_edge + along(v)) * cells_per_edge + along(u);
+  return has_direction ? static_cast<std::uint32_t>(cell) : kNoCell;
+}
+
+AUGICP_VECTORIZED void write_cells(const Vec3f* points, std::size_t step, const Vec3f& place, int cells_per_edge,
+                                   std::span<std::uint32_t> cells) {
+  const float px = place.x(), py = place.y(), pz = place.z();
+  std::uint32_t* const written = cells.data();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const float* const point = points[k * step].data();
+    written[k] = cell_towards(point[0] - px, point[1] - py, point[2] - pz, cells_per_edge);
+  }
+}
+
 // The cell of every step-th point; none for a point at the place.
 std::vector<std::uint32_t> cells_of(const Cloud& cloud, const Vec3f& place, int cells_per_edge, std::size_t step = 1) {
-  std::vector<std::uint32_t> cells;
-  cells.reserve(cloud.size() / step + 1);
-  for (std::size_t i = 0; i < cloud.size(); i += step) {
-    const Vec3f ray = cloud.points[i] - place;
-    const bool has_direction = ray.squaredNorm() > 0.0f;
-    cells.push_back(has_direction ? static_cast<std::uint32_t>(cell_of(on_cube(ray), cells_per_edge)) : kNoCell);
-  }
+  std::vector<std::uint32_t> cells((cloud.size() + step - 1) / step);
+  write_cells(cloud.points.data(), step, place, cells_per_edge, cells);
   return cells;
 }
 
