@@ -35,10 +35,9 @@ void judge_certainty(const Matcher& matcher, const PosedPairs& posed, const Iter
 }
 
 // The loop of section 3.3. The increments do not move in the num_free weakest directions.
-AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
-                    const AlignOptions& options, int num_free) {
-  const Cloud& target = matcher.target();
-  const std::unique_ptr<MatchSession> session = matcher.session(source);
+AlignResult iterate(const KnownClouds& clouds, const Rigid3& initial_target_from_source, const AlignOptions& options,
+                    int num_free) {
+  const Cloud &source = clouds.source, &target = clouds.matcher.target();
   AlignResult result;
   result.status = AlignStatus::IterationLimit;
   Rigid3 pose = initial_target_from_source;  // T
@@ -48,7 +47,7 @@ AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& i
   now.gates = options.gates;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
     throw_if_stopped(options.stop);
-    now.pairs = session->match(pose, now.gates, options.num_threads);  // (j, i): section 4.1
+    now.pairs = clouds.session.match(pose, now.gates, options.num_threads);  // (j, i): section 4.1
     if (!has_enough_pairs(source, target, now, result)) break;
     const PosedPairs posed{source, target, now.pairs, pose};
     weigh(posed, options, now);                                            // Omega: Table 2; K of Eq. (13)
@@ -69,17 +68,17 @@ AlignResult iterate(const Cloud& source, const Matcher& matcher, const Rigid3& i
   }
   result.target_from_source = pose;
   if (result.iterations == 0) return result;
-  judge_certainty(matcher, {source, target, now.pairs, pose}, now, options, result);
+  judge_certainty(clouds.matcher, {source, target, now.pairs, pose}, now, options, result);
   result.pairs = std::move(now.pairs);
+  result.objective = now.objective;
   return result;
 }
 
-// The loop and, if the data leave directions free, the loop again without these.
 // The loop where the free directions are known.
-AlignResult align_beside(const FreeDirections& free, const Cloud& source, const Matcher& matcher,
+AlignResult align_beside(const FreeDirections& free, const KnownClouds& clouds,
                          const Rigid3& initial_target_from_source, AlignOptions options) {
   if (free.num_free > 0) options.correlation_length = 0.0;
-  AlignResult result = iterate(source, matcher, initial_target_from_source, options, free.num_free);
+  AlignResult result = iterate(clouds, initial_target_from_source, options, free.num_free);
   if (free.num_free == 0 || result.observability.gyration == 0.0) return result;
   result.status = AlignStatus::Degenerate;
   result.observability = free.seen;
@@ -92,15 +91,15 @@ void require_gaussians(const Cloud& target, const InformationModel& information)
     throw std::invalid_argument("the target has no Gaussians; see estimate_gaussians(), or prepare() with Method::Ndt");
 }
 
-AlignResult align_by(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
-                     const AlignOptions& options) {
+// The loop and, if the data leave directions free, the loop again without these.
+AlignResult align_by(const KnownClouds& clouds, const Rigid3& initial_target_from_source, const AlignOptions& options) {
   if (options.free_directions)
-    return align_beside(*options.free_directions, source, matcher, initial_target_from_source, options);
-  AlignResult result = iterate(source, matcher, initial_target_from_source, options, 0);
+    return align_beside(*options.free_directions, clouds, initial_target_from_source, options);
+  AlignResult result = iterate(clouds, initial_target_from_source, options, 0);
   if (result.status != AlignStatus::Degenerate) return result;
   // The free directions have drifted, and may have pulled the others along. So start again, without them.
   const int num_free = result.observability.num_below(options.min_observability);
-  AlignResult held = iterate(source, matcher, initial_target_from_source, options, num_free);
+  AlignResult held = iterate(clouds, initial_target_from_source, options, num_free);
   if (held.observability.gyration == 0.0) return result;  // this loop found no pose
   held.status = AlignStatus::Degenerate;
   held.free_motions = free_motions(held.observability, num_free);
@@ -111,17 +110,22 @@ AlignResult align_by(const Cloud& source, const Matcher& matcher, const Rigid3& 
 
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options) {
+  return align({source, matcher, *matcher.session(source)}, initial_target_from_source, options);
+}
+
+AlignResult align(const KnownClouds& clouds, const Rigid3& initial_target_from_source, const AlignOptions& options) {
   options.check();
-  require_gaussians(matcher.target(), options.information);
-  if (!(options.intensity_weight > 0.0) || !compares_intensities(source, matcher.target()))
-    return align_by(source, matcher, initial_target_from_source, options);
+  const Cloud& target = clouds.matcher.target();
+  require_gaussians(target, options.information);
+  if (!(options.intensity_weight > 0.0) || !compares_intensities(clouds.source, target))
+    return align_by(clouds, initial_target_from_source, options);
   // A gradient of the intensity is valid only near its points; from farther away brightness leads anywhere. So shape
   // comes first.
   AlignOptions by_shape = options;
   by_shape.intensity_weight = by_shape.correlation_length = 0.0;
-  AlignResult shape = align_by(source, matcher, initial_target_from_source, by_shape);
+  AlignResult shape = align_by(clouds, initial_target_from_source, by_shape);
   if (!has_pose(shape.status)) return shape;
-  AlignResult result = align_by(source, matcher, shape.target_from_source, options);
+  AlignResult result = align_by(clouds, shape.target_from_source, options);
   result.iterations += shape.iterations;
   shape.history.insert(shape.history.end(), result.history.begin(), result.history.end());
   result.history = std::move(shape.history);

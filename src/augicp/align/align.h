@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "augicp/match/matcher.h"
+#include "augicp/objective/linearize.h"
 #include "augicp/trust/free_motions.h"
 #include "augicp/trust/observability.h"
 #include "augicp/trust/verdict.h"
@@ -122,6 +123,8 @@ struct AlignResult {
   // If the status is Degenerate: the motions that the data do not constrain. Along them the pose stays at the guess.
   std::vector<FreeMotion> free_motions;
 
+  Objective objective;  // of the last iteration: with Gates, `pairs` and the pose what covariance() needs
+
   // Evidence for and against the pose. align() alone gathers none: its Converged means only that the steps are small.
   // register_prepared() judges, see registration/judge.h.
   std::optional<Evidence> evidence;
@@ -143,5 +146,15 @@ struct AlignResult {
 // lacks the Gaussians that the information model weighs by, Interrupted where an end was requested.
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options);
+
+// Clouds that are aligned more than once, with what their session remembers from one time to the next.
+struct KnownClouds {
+  const Cloud& source;
+  const Matcher& matcher;
+  MatchSession& session;  // of this matcher, for this source
+};
+
+// The same result, sooner.
+AlignResult align(const KnownClouds& clouds, const Rigid3& initial_target_from_source, const AlignOptions& options);
 
 }  // namespace augicp

@@ -11,6 +11,7 @@
 #include "augicp/odometry/surface_agreement.h"
 #include "augicp/registration/far_outliers.h"
 #include "augicp/registration/registration.h"
+#include "augicp/trust/covariance.h"
 
 namespace augicp {
 namespace {
@@ -87,7 +88,6 @@ AlignOptions LidarOdometry::align_options() const {
   align_by.gates.max_distance = options_.gate_voxels * voxel_size_;
   align_by.min_kernel_chi2 = std::pow(kMinKernel * voxel_size_, 2);
   align_by.min_observability = options_.min_observability * (is_last_degenerate_ ? kObservabilityAfterDegenerate : 1.0);
-  align_by.correlation_length = kCorrelationVoxels * voxel_size_;
   return align_by;
 }
 
@@ -97,6 +97,8 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
   // A wide gate lets scans slide along what the last one left free, or where nothing is known yet.
   const bool holds_from_afar = !before_last_ || is_last_degenerate_;
   const double least = options_.gate_voxels * voxel_size_;
+  const Cloud& target = matcher_->target();
+  const std::unique_ptr<MatchSession> session = matcher_->session(attempt.source);
   attempt.world_from_sensor = guess;
   attempt.iterations = 0;
   for (bool is_last = false; !is_last; gate = least) {
@@ -106,16 +108,25 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
     const double kernel = is_last ? kMinKernel * voxel_size_ : kKernelPerGate * gate;
     align_by.min_kernel_chi2 = kernel * kernel;
     align_by.min_observability = is_last || holds_from_afar ? min_observability : 0.0;
-    align_by.correlation_length = is_last && wants_covariance() ? kCorrelationVoxels * voxel_size_ : 0.0;
-    const Cloud& target = matcher_->target();
-    attempt.result =
-        align(attempt.source, *matcher_, without_origins(attempt.world_from_sensor, attempt.source, target), align_by);
+    attempt.result = align({attempt.source, *matcher_, *session},
+                           without_origins(attempt.world_from_sensor, attempt.source, target), align_by);
     attempt.world_from_sensor = with_origins(attempt.result.target_from_source, attempt.source, target);
     attempt.iterations += attempt.result.iterations;
   }
-  const SurfaceAgreement found = surface_agreement(attempt.source, *matcher_, attempt.world_from_sensor, align_by.gates,
-                                                   options_.on_surface_voxels * voxel_size_, options_.num_threads);
+  const Rigid3 pose = without_origins(attempt.world_from_sensor, attempt.source, target);
+  const auto pairs = session->match(pose, align_by.gates, options_.num_threads);
+  const SurfaceAgreement found =
+      surface_agreement({attempt.source, target, pairs, pose}, options_.on_surface_voxels * voxel_size_);
   attempt.agreement = found.share, attempt.rmse = found.rmse;
+}
+
+// Of the pose that the last registration found. It takes as long as some iterations, so that only the last attempt gets
+// it.
+std::optional<Mat6d> LidarOdometry::covariance_of(const AlignResult& result, const Cloud& source) const {
+  if (!wants_covariance() || !has_pose(result.status) || result.status == AlignStatus::Degenerate) return std::nullopt;
+  const PosedPairs posed{source, matcher_->target(), result.pairs, result.target_from_source};
+  return covariance(*matcher_, {posed, align_options().gates, result.objective}, kCorrelationVoxels * voxel_size_,
+                    result.observability.directions, options_.num_threads);
 }
 
 // A scan that is to be checked has its covariance, too.
@@ -132,6 +143,7 @@ std::optional<DriftCheck> LidarOdometry::checked(const Attempt& attempt) const {
   options.on_surface = options_.on_surface_voxels * voxel_size_;
   options.typical_distance = typical_distance(voxel_size_);
   options.align_by = align_options();
+  options.align_by.correlation_length = kCorrelationVoxels * voxel_size_;
   return self_check_.check(attempt.source, attempt.world_from_sensor, covariance_at_sensor(attempt), options);
 }
 

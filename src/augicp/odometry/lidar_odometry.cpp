@@ -183,7 +183,8 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
   const bool is_skewed = is_taken_as_skewed(shares);
   if (!is_skewed) start_scan_.reset();
   if (start_scan_) straighten_start(stamp_s, scan, shares);
-  const Attempt attempt = registered(stamp_s, scan, is_skewed ? shares : SweepShares{});
+  Attempt attempt = registered(stamp_s, scan, is_skewed ? shares : SweepShares{});
+  attempt.result.covariance = covariance_of(attempt.result, attempt.source);
   report.status = status_of(attempt);
   if (report.status == FrameStatus::Tracked) report.drift = checked(attempt);
   describe(attempt, report);

@@ -53,20 +53,22 @@ double variance_of_a_point(const std::optional<Mat6d>& covariance, const Vec3d& 
          typical_distance * typical_distance * here.bottomRightCorner<3, 3>().trace();
 }
 
-AlignResult direct(const Cloud& scan, const Matcher& keyframe, const Rigid3& guess, AlignOptions options) {
+AlignResult direct(const KnownClouds& clouds, const Rigid3& guess, AlignOptions options) {
   const AlignOptions last = options;
   options.gates.max_distance *= kFirstGates;
   options.min_kernel_chi2 = std::pow(kKernelPerGate * options.gates.max_distance, 2);
   options.correlation_length = 0.0;
-  const AlignResult wide = align(scan, keyframe, without_origins(guess, scan, keyframe.target()), options);
-  return align(scan, keyframe, wide.target_from_source, last);
+  const AlignResult wide = align(clouds, without_origins(guess, clouds.source, clouds.matcher.target()), options);
+  return align(clouds, wide.target_from_source, last);
 }
 
-DriftCheck compared(const Cloud& scan, const Matcher& keyframe, const Rigid3& chained, const Rigid3& found,
+DriftCheck compared(const KnownClouds& clouds, const Rigid3& chained, const Rigid3& found,
                     const SelfCheckOptions& options) {
-  const auto share_at = [&](const Rigid3& pose) {
-    const AlignOptions& by = options.align_by;
-    return surface_agreement(scan, keyframe, pose, by.gates, options.on_surface, by.num_threads).share;
+  const Cloud &scan = clouds.source, &keyframe = clouds.matcher.target();
+  const auto share_at = [&](const Rigid3& keyframe_from_scan) {
+    const Rigid3 pose = without_origins(keyframe_from_scan, scan, keyframe);
+    const auto pairs = clouds.session.match(pose, options.align_by.gates, options.align_by.num_threads);
+    return surface_agreement({scan, keyframe, pairs, pose}, options.on_surface).share;
   };
   DriftCheck check;
   check.keyframe_from_sensor = found;
@@ -111,10 +113,12 @@ std::optional<DriftCheck> SelfCheck::check(const Cloud& scan, const Rigid3& worl
   if (keyframe->surfaces.empty() || source.empty()) return std::nullopt;
   const NearestMatcher matcher(keyframe->surfaces);
   const Rigid3 chained = inverse(keyframe->world_from_sensor) * world_from_sensor;
-  const AlignResult result = direct(source, matcher, chained, options.align_by);
+  const std::unique_ptr<MatchSession> session = matcher.session(source);
+  const KnownClouds clouds{source, matcher, *session};
+  const AlignResult result = direct(clouds, chained, options.align_by);
   if (result.status != AlignStatus::Converged) return std::nullopt;
   const Rigid3 found = with_origins(result.target_from_source, source, matcher.target());
-  DriftCheck check = compared(source, matcher, chained, found, options);
+  DriftCheck check = compared(clouds, chained, found, options);
   check.keyframe_stamp_s = keyframe->stamp_s;
   const double typical = options.typical_distance;
   const Vec3d from_keyframe = world_from_sensor.translation - keyframe->world_from_sensor.translation;

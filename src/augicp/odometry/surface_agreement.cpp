@@ -15,20 +15,19 @@ double distance_from_surface(const Cloud& target, std::uint32_t point, const Vec
 
 }  // namespace
 
-SurfaceAgreement surface_agreement(const Cloud& source, const Matcher& matcher, const Rigid3& target_from_source,
-                                   const Gates& gates, double on_surface, int num_threads) {
-  const Cloud& target = matcher.target();
-  const Rigid3 pose = without_origins(target_from_source, source, target);
+SurfaceAgreement surface_agreement(const PosedPairs& posed, double on_surface) {
+  const Rigid3& pose = posed.target_from_source;
   std::size_t num_on = 0;
   double sum_sq = 0.0;
-  for (const Correspondence& pair : matcher.match(source, pose, gates, num_threads)) {
-    const double off = distance_from_surface(target, pair.target, pose * source.points[pair.source].cast<double>());
+  for (const Correspondence& pair : posed.pairs) {
+    const double off =
+        distance_from_surface(posed.target, pair.target, pose * posed.source.points[pair.source].cast<double>());
     if (off > on_surface) continue;
     ++num_on;
     sum_sq += off * off;
   }
   if (num_on == 0) return {};
-  return {static_cast<double>(num_on) / static_cast<double>(source.size()),
+  return {static_cast<double>(num_on) / static_cast<double>(posed.source.size()),
           std::sqrt(sum_sq / static_cast<double>(num_on))};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "augicp/match/matcher.h"
+#include "augicp/cloud/posed_pairs.h"
 
 namespace augicp {
 
@@ -11,9 +11,7 @@ struct SurfaceAgreement {
   double rmse = 0.0;   // of the distances of these points from it, metres
 };
 
-// on_surface: a point this near to a plane, or to the line of an edge, is on it, metres. The pose is between the frames
-// of the clouds. The result is the same for any number of threads.
-SurfaceAgreement surface_agreement(const Cloud& source, const Matcher& matcher, const Rigid3& target_from_source,
-                                   const Gates& gates, double on_surface, int num_threads);
+// on_surface: a point this near to a plane, or to the line of an edge, is on it, metres.
+SurfaceAgreement surface_agreement(const PosedPairs& posed, double on_surface);
 
 }  // namespace augicp

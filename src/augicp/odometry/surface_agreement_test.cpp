@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "augicp/match/matcher.h"
+
 namespace augicp {
 namespace {
 
@@ -29,7 +31,9 @@ TEST(SurfaceAgreement, CountsPointsOnPlanesAndEdges) {
                    {90.0f, 0.0f, 0.0f}};  // no partner
   Gates gates;
   gates.max_distance = 1.0;
-  const SurfaceAgreement found = surface_agreement(source, matcher, Rigid3{}, gates, 0.05, 1);
+  const Rigid3 pose = without_origins(Rigid3{}, source, target);
+  const auto pairs = matcher.match(source, pose, gates, 1);
+  const SurfaceAgreement found = surface_agreement({source, target, pairs, pose}, 0.05);
   EXPECT_DOUBLE_EQ(found.share, 0.4);
   EXPECT_NEAR(found.rmse, std::sqrt(0.5 * (0.03 * 0.03 + 0.04 * 0.04)), 1e-6);
 }
@@ -41,7 +45,9 @@ TEST(SurfaceAgreement, IsNothingWherePointsHaveNoPartner) {
   source.points = {{90.0f, 0.0f, 0.0f}};
   Gates gates;
   gates.max_distance = 1.0;
-  const SurfaceAgreement found = surface_agreement(source, matcher, Rigid3{}, gates, 0.05, 1);
+  const Rigid3 pose = without_origins(Rigid3{}, source, target);
+  const auto pairs = matcher.match(source, pose, gates, 1);
+  const SurfaceAgreement found = surface_agreement({source, target, pairs, pose}, 0.05);
   EXPECT_EQ(found.share, 0.0);
   EXPECT_EQ(found.rmse, 0.0);
 }
