@@ -53,6 +53,10 @@ constexpr double kMinRotationStep = 5e-5;
 // twice, three times. The motion found with a wrong one is still wrong by a part of it.
 constexpr double kRedoVoxels[] = {0.01, 0.05, 0.05};
 
+// Two motions that put points at most this far apart, voxels, need no new choice of points: this is one cell of the
+// map.
+constexpr double kSameCellsVoxels = 0.25;
+
 // Two points share the voxel from which their directions come up to this far apart, voxels.
 constexpr double kCorrelationVoxels = 2.0;
 
@@ -63,7 +67,7 @@ LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepSha
   Attempt attempt;
   const bool is_skewed = !shares.empty();
   Cloud cloud = is_skewed ? without_skew(scan, shares, motion, options_.num_threads) : scan;
-  if (is_skewed) attempt.motion = motion;
+  if (is_skewed) attempt.motion = motion, cloud.weights = shares;  // with which they are downsampled
   drop_far_outliers(cloud, kReachVoxels * voxel_size_);
   attempt.fine = downsample(cloud, voxel_size_ / kCellsPerVoxel);
   attempt.fine.directions.clear(), attempt.fine.structures.clear();
@@ -73,6 +77,20 @@ LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepSha
   SurfaceMap own(of_one_scan);
   own.add(attempt.fine, Rigid3{});
   own.describe(attempt.source, Rigid3{});
+  if (is_skewed) attempt.fine_shares.swap(attempt.fine.weights), attempt.source_shares.swap(attempt.source.weights);
+  return attempt;
+}
+
+// The same scan, straightened with another motion. Where this hardly moves points, those chosen before are moved: each
+// with the share of the point nearest to its cell's mean.
+LidarOdometry::Attempt LidarOdometry::straightened(Attempt attempt, const Cloud& scan, const SweepShares& shares,
+                                                   const SweepMotion& motion) const {
+  const SweepMotion before = *attempt.motion;
+  if (bending_between(before, motion, typical_distance(voxel_size_)) > kSameCellsVoxels * voxel_size_)
+    return prepared(scan, shares, motion);
+  attempt.fine = straightened_again(attempt.fine, attempt.fine_shares, before, motion, options_.num_threads);
+  attempt.source = straightened_again(attempt.source, attempt.source_shares, before, motion, options_.num_threads);
+  attempt.motion = motion;
   return attempt;
 }
 
@@ -196,7 +214,7 @@ LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& sc
     if (shares.empty() ||
         bending_between(*attempt.motion, found, typical_distance(voxel_size_)) < least_voxels * voxel_size_)
       break;
-    Attempt again = prepared(scan, shares, found);
+    Attempt again = straightened(attempt, scan, shares, found);
     align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, again);
     again.iterations += attempt.iterations;
     if (attempt.agreement > kClearGain * again.agreement) break;  // after a gap the mean motion may be wrong

@@ -15,7 +15,8 @@ struct LidarOdometry::Attempt {
   Rigid3 world_from_sensor;
   double agreement = 0.0, rmse = 0.0;
   int iterations = 0;
-  std::optional<SweepMotion> motion;  // with which it was straightened
+  std::optional<SweepMotion> motion;       // with which it was straightened
+  SweepShares fine_shares, source_shares;  // of their points; empty if it was not
 };
 
 // From where a registration to the map begins.

@@ -163,6 +163,7 @@ class LidarOdometry {
   void straighten_start(double stamp_s, const Cloud& scan, const SweepShares& shares);
   SurfaceMap empty_map() const;
   Attempt prepared(const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
+  Attempt straightened(Attempt attempt, const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
   AlignOptions align_options() const;
   void align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const;
   std::optional<Mat6d> covariance_of(const AlignResult& result, const Cloud& source) const;

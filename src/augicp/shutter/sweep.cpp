@@ -87,6 +87,31 @@ MeanRates mean_rates(const StampedPose& first, const StampedPose& second) {
           rotation_log(from.rotation.conjugate() * to.rotation) / passed_s};
 }
 
+// Each point by the motion of its share, which is looked up in a table: between two entries the sensor has moved by
+// less than a thousandth of the sweep's motion.
+template <typename MotionAt>
+Cloud moved_by_shares(const Cloud& cloud, const SweepShares& shares, int num_threads, const MotionAt& motion_at) {
+  if (shares.empty()) return cloud;
+  require(shares.size() == cloud.size(), "shares", static_cast<double>(shares.size()), "must be one a point");
+  constexpr std::size_t kNumPoses = 1024;
+  std::array<Eigen::Matrix3f, kNumPoses> rotations;
+  std::array<Vec3f, kNumPoses> translations;
+  for (std::size_t k = 0; k < kNumPoses; ++k) {
+    const Rigid3 motion = motion_at((static_cast<double>(k) + 0.5) / kNumPoses);
+    rotations[k] = motion.rotation.toRotationMatrix().cast<float>();
+    translations[k] = (motion * cloud.origin - cloud.origin).cast<float>();
+  }
+  Cloud moved = cloud;
+  for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto k = std::min(static_cast<std::size_t>(shares[i] * kNumPoses), kNumPoses - 1);
+      moved.points[i] = rotations[k] * cloud.points[i] + translations[k];
+      if (cloud.has_directions()) moved.directions[i] = rotations[k] * cloud.directions[i];
+    }
+  });
+  return moved;
+}
+
 }  // namespace
 
 SweepShares shares_from_times(std::span<const double> times) {
@@ -173,27 +198,13 @@ SweepMotion later_by(double sweeps, const SweepMotion& motion) {
 }
 
 Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const SweepMotion& motion, int num_threads) {
-  if (shares.empty()) return cloud;
-  require(shares.size() == cloud.size(), "shares", static_cast<double>(shares.size()), "must be one a point");
-  // The pose at a share is looked up in a table: between two entries the sensor has moved by less than a thousandth of
-  // the sweep's motion.
-  constexpr std::size_t kNumPoses = 1024;
-  std::array<Eigen::Matrix3f, kNumPoses> rotations;
-  std::array<Vec3f, kNumPoses> translations;
-  for (std::size_t k = 0; k < kNumPoses; ++k) {
-    const Rigid3 middle_from_then = motion.middle_from((static_cast<double>(k) + 0.5) / kNumPoses);
-    rotations[k] = middle_from_then.rotation.toRotationMatrix().cast<float>();
-    translations[k] = (middle_from_then * cloud.origin - cloud.origin).cast<float>();
-  }
-  Cloud straight = cloud;
-  for_each_block(cloud.size(), num_threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto k = std::min(static_cast<std::size_t>(shares[i] * kNumPoses), kNumPoses - 1);
-      straight.points[i] = rotations[k] * cloud.points[i] + translations[k];
-      if (cloud.has_directions()) straight.directions[i] = rotations[k] * cloud.directions[i];
-    }
-  });
-  return straight;
+  return moved_by_shares(cloud, shares, num_threads, [&](double share) { return motion.middle_from(share); });
+}
+
+Cloud straightened_again(const Cloud& straight, const SweepShares& shares, const SweepMotion& before,
+                         const SweepMotion& motion, int num_threads) {
+  return moved_by_shares(straight, shares, num_threads,
+                         [&](double share) { return motion.middle_from(share) * inverse(before.middle_from(share)); });
 }
 
 }  // namespace augicp

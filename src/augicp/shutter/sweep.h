@@ -58,4 +58,8 @@ SweepMotion later_by(double sweeps, const SweepMotion& motion);
 // Directions are rotated as well.
 Cloud without_skew(const Cloud& cloud, const SweepShares& shares, const SweepMotion& motion, int num_threads);
 
+// What without_skew() returned with one motion, as if it had been given another.
+Cloud straightened_again(const Cloud& straight, const SweepShares& shares, const SweepMotion& before,
+                         const SweepMotion& motion, int num_threads);
+
 }  // namespace augicp

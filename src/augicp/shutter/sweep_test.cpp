@@ -164,6 +164,19 @@ TEST(Sweep, PointsAreStraightenedWithTheMotionThroughThreePoses) {
   }
 }
 
+TEST(Sweep, PointsStraightenedAgainAreWhereTheOtherMotionAlonePutsThem) {
+  const Case of = measured(braking, 0.3);
+  const SweepShares shares = shares_from_times(of.sweep.times_s);
+  const SweepMotion motion =
+      motion_of_last(true_pose(of, -2.0), true_pose(of, -1.0), true_pose(of, 0.0), duration_s(of));
+  SweepMotion wrong = motion;
+  wrong.velocity += Vec3d(0.1, -0.05, 0.02);
+  wrong.rotation += Vec3d(0.0, 0.01, -0.02);
+  const Cloud once = without_skew(of.sweep.cloud, shares, motion, 1);
+  const Cloud again = straightened_again(without_skew(of.sweep.cloud, shares, wrong, 1), shares, wrong, motion, 1);
+  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_LT((again.points[i] - once.points[i]).norm(), 1e-4f);
+}
+
 TEST(Sweep, UnevenGapsBetweenPosesGiveTheSameParabola) {
   const Case of = measured(braking, 0.5);
   const SweepMotion motion =
