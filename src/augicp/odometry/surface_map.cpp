@@ -41,7 +41,7 @@ struct SurfaceMap::Level {
   int factor = 1;
   std::unordered_map<std::uint64_t, std::uint32_t> place;
   std::vector<Sums> sums;
-  std::vector<Shape> shapes;
+  std::vector<std::optional<Shape>> shapes;  // of those that were asked for
 };
 
 void SurfaceMapOptions::check() const {
@@ -98,6 +98,7 @@ std::optional<SurfaceMap::Index> SurfaceMap::index_at(const Vec3d& place_in_map)
 }
 
 SurfaceMap::Sums& SurfaceMap::sums_at(const Index& index) {
+  if (last_hit_ < voxels_.size() && voxels_[last_hit_].index == index) return voxels_[last_hit_].sums;
   const auto [found, is_new] = place_.try_emplace(key_of(index), static_cast<std::uint32_t>(voxels_.size()));
   if (is_new) {
     Voxel voxel;
@@ -105,7 +106,8 @@ SurfaceMap::Sums& SurfaceMap::sums_at(const Index& index) {
     for (int k = 0; k < 3; ++k) voxel.sums.centre[k] = (index[static_cast<std::size_t>(k)] + 0.5) * options_.voxel_size;
     voxels_.push_back(voxel);
   }
-  return voxels_[found->second].sums;
+  last_hit_ = found->second;
+  return voxels_[last_hit_].sums;
 }
 
 void SurfaceMap::add(const Cloud& scan, const Rigid3& map_from_scan) {
@@ -182,24 +184,25 @@ SurfaceMap::Level SurfaceMap::coarser_level(int factor) const {
     }
     level.sums[found->second].add(voxel.sums);
   }
-  for (const Sums& sums : level.sums) level.shapes.push_back(shape_of(sums));
+  level.shapes.resize(level.sums.size());
   return level;
 }
 
-Shape SurfaceMap::shape_in(const Voxel& voxel, const std::vector<Level>& coarser, double min_coarse_count,
+Shape SurfaceMap::shape_in(const Voxel& voxel, std::vector<Level>& coarser, double min_coarse_count,
                            Vec3d& mean) const {
   const Shape own = shape_of(voxel.sums);
   const Vec3d own_mean = voxel.sums.centre + voxel.sums.sum / voxel.sums.count;
   mean = own_mean;
   const bool shows_its_shape = voxel.sums.count >= options_.thresholds.min_points && !voxel.sums.is_of_one_ring();
   if (own.structure != Structure::None || shows_its_shape) return own;
-  for (const Level& level : coarser) {
+  for (Level& level : coarser) {
     Index index = voxel.index;
     for (std::int32_t& i : index) i = floor_divided(i, level.factor);
     const std::uint32_t at = level.place.at(key_of(index));
-    const Shape& shape = level.shapes[at];
-    if (shape.structure != Structure::Planar) continue;
     if (level.sums[at].count < min_coarse_count) continue;
+    if (!level.shapes[at]) level.shapes[at] = shape_of(level.sums[at]);
+    const Shape& shape = *level.shapes[at];
+    if (shape.structure != Structure::Planar) continue;
     const Gaussian gaussian = level.sums[at].gaussian();
     const double off = shape.direction.dot(own_mean - gaussian.mean);
     const double thickness = std::sqrt(std::max(0.0, shape.direction.dot(gaussian.covariance * shape.direction)));
@@ -219,7 +222,7 @@ std::vector<SurfaceMap::Level> SurfaceMap::coarser_levels() const {
 Cloud SurfaceMap::surfaces(const Vec3d& origin_in_map) const {
   Cloud cloud;
   cloud.origin = origin_in_map;
-  const std::vector<Level> coarser = coarser_levels();
+  std::vector<Level> coarser = coarser_levels();
   bool has_intensities = false;
   for (const Voxel& voxel : voxels_) {
     Vec3d mean;
@@ -236,7 +239,7 @@ Cloud SurfaceMap::surfaces(const Vec3d& origin_in_map) const {
 }
 
 void SurfaceMap::describe(Cloud& cloud, const Rigid3& map_from_cloud) const {
-  const std::vector<Level> coarser = coarser_levels();
+  std::vector<Level> coarser = coarser_levels();
   std::vector<Shape> shapes;
   shapes.reserve(voxels_.size());
   const double min_count = kCoarsePointsFactor * options_.thresholds.min_points;

@@ -89,11 +89,12 @@ class SurfaceMap {
   Shape shape_of(const Sums& sums) const;
   Level coarser_level(int factor) const;
   std::vector<Level> coarser_levels() const;
-  Shape shape_in(const Voxel& voxel, const std::vector<Level>& coarser, double min_coarse_count, Vec3d& mean) const;
+  Shape shape_in(const Voxel& voxel, std::vector<Level>& coarser, double min_coarse_count, Vec3d& mean) const;
 
   SurfaceMapOptions options_;
   std::unordered_map<std::uint64_t, std::uint32_t> place_;
   std::vector<Voxel> voxels_;
+  std::size_t last_hit_ = 0;  // mostly that of the next point, too
   int num_scans_ = 0;
 };
 
