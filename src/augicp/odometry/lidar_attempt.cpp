@@ -57,6 +57,9 @@ constexpr double kRedoVoxels[] = {0.01, 0.05, 0.05};
 // map.
 constexpr double kSameCellsVoxels = 0.25;
 
+// A sensor that has moved by more than this since the last scan, voxels, does not stand still.
+constexpr double kStillVoxels = 0.05;
+
 // Two points share the voxel from which their directions come up to this far apart, voxels.
 constexpr double kCorrelationVoxels = 2.0;
 
@@ -141,10 +144,26 @@ void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& atte
 // Of the pose that the last registration found. It takes as long as some iterations, so that only the last attempt gets
 // it.
 std::optional<Mat6d> LidarOdometry::covariance_of(const AlignResult& result, const Cloud& source) const {
-  if (!wants_covariance() || !has_pose(result.status) || result.status == AlignStatus::Degenerate) return std::nullopt;
+  if (!has_pose(result.status) || result.status == AlignStatus::Degenerate) return std::nullopt;
   const PosedPairs posed{source, matcher_->target(), result.pairs, result.target_from_source};
   return covariance(*matcher_, {posed, align_options().gates, result.objective}, kCorrelationVoxels * voxel_size_,
                     result.observability.directions, options_.num_threads);
+}
+
+// Of a sensor that may stand still: what the mean of its poses needs is worth its time then.
+bool LidarOdometry::is_near_last(const Attempt& attempt) const {
+  return options_.parts.averages_standstill &&
+         motion_between(last_->world_from_camera, attempt.world_from_sensor, typical_distance(voxel_size_)) <
+             kStillVoxels * voxel_size_;
+}
+
+// The pose of a sensor that stands still is the mean of the last ones.
+void LidarOdometry::settle(Attempt& attempt) {
+  const std::optional<Mat6d> covariance = covariance_at_sensor(attempt);
+  if (!covariance || !is_near_last(attempt))
+    standstill_.forget();
+  else
+    attempt.world_from_sensor = standstill_.add(attempt.world_from_sensor, *covariance);
 }
 
 // A scan that is to be checked has its covariance, too.

@@ -131,6 +131,8 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   Attempt attempt = prepared(scan, {}, SweepMotion{});
   attempt.world_from_sensor = report.world_from_camera;
   self_check_.clear();
+  standstill_ = {};
+  standstill_.add(report.world_from_camera, Mat6d::Zero());
   num_since_check_ = 0;
   merge(report.stamp_s, attempt);
   start_scan_.reset();
@@ -184,8 +186,10 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
   if (!is_skewed) start_scan_.reset();
   if (start_scan_) straighten_start(stamp_s, scan, shares);
   Attempt attempt = registered(stamp_s, scan, is_skewed ? shares : SweepShares{});
-  attempt.result.covariance = covariance_of(attempt.result, attempt.source);
   report.status = status_of(attempt);
+  if (wants_covariance() || is_near_last(attempt))
+    attempt.result.covariance = covariance_of(attempt.result, attempt.source);
+  if (report.status == FrameStatus::Tracked) settle(attempt);
   if (report.status == FrameStatus::Tracked) report.drift = checked(attempt);
   describe(attempt, report);
   const SweepMotion motion = motion_of_sweep(stamp_s, attempt.world_from_sensor);

@@ -15,6 +15,7 @@
 #include "augicp/odometry/odometry.h"
 #include "augicp/odometry/self_check.h"
 #include "augicp/odometry/skew_trial.h"
+#include "augicp/odometry/standstill.h"
 #include "augicp/odometry/surface_map.h"
 #include "augicp/shutter/sweep.h"
 
@@ -32,6 +33,7 @@ struct LidarParts {
   InformationModel information = plane_information();  // of the pairs
   bool has_edges = true;                               // lines of several scans in a voxel are edges
   bool is_last_scan_alone = false;                     // a scan is registered to the one before it, not to the map
+  bool averages_standstill = true;                     // poses of a sensor that stands still become their mean
 };
 
 struct LidarOptions {
@@ -177,6 +179,8 @@ class LidarOdometry {
   bool is_check_due() const;
   bool is_search_due() const;
   bool wants_covariance() const;
+  bool is_near_last(const Attempt& attempt) const;
+  void settle(Attempt& attempt);
   std::optional<DriftCheck> checked(const Attempt& attempt) const;
   std::optional<Mat6d> covariance_at_sensor(const Attempt& attempt) const;
   FrameStatus status_of(const Attempt& attempt) const;
@@ -193,6 +197,7 @@ class LidarOdometry {
   std::shared_ptr<const Matcher> matcher_;
   std::optional<Keyframe> keyframe_;
   SelfCheck self_check_;
+  Standstill standstill_;
   int num_since_check_ = 0;
   std::optional<TimedScan> start_scan_;            // until two more show how the sensor moved
   std::optional<StampedPose> before_last_, last_;  // of this segment
