@@ -24,9 +24,8 @@ constexpr std::size_t kMaxLedOn = 4;
 // On few points a pose that fits as well is less plausible than the one found by chance, but not by more than this.
 constexpr double kLessPlausible = 0.2;
 
-// More iterations rarely make a start more plausible by more than this. After the first ones all 83 rivals of 128
-// generated pairs were at most 0.26 less plausible than the pose found (docs/lab/performance.md); what does not become
-// a rival is 0.5 to 3 less plausible.
+// More iterations rarely make a start more plausible by more than this: after the first ones 83 rivals of 128 searches
+// were at most 0.26 less plausible than the pose found (docs/lab/performance.md).
 constexpr double kMaxGain = 0.2;
 constexpr std::size_t kMaxRivals = 2;
 constexpr double kSameAngle = 3.0 * kRadPerDeg;
