@@ -435,7 +435,7 @@ class CommandTest(unittest.TestCase):
     def test_odometry_says_what_it_lacks(self):
         for words, code, part in ((("odometry", DESK.parent), 2, "which camera"),
                                   (("odometry", self.folder), 3, "found no image"),
-                                  (("odometry", DESK.parent, "--camera", "tum-fr1", "--first", 99), 2, "no frame"),
+                                  (("odometry", DESK.parent, "--camera", "tum-fr1", "--first", 99), 2, "--first 99: no frame"),
                                   (("odometry", DESK.parent, "--camera", "500 500 9 9", "--depth-scale", 1), 3, "depth scale"),
                                   (("odometry", DESK.parent, "--camera", "tum-fr1", "--output", "/dev/null/x"), 3, "/dev/null/x")):
             output = () if "--output" in words else ("--output", self.folder / "none")
@@ -445,8 +445,11 @@ class CommandTest(unittest.TestCase):
 
     def test_full_standard_output_is_an_error(self):
         with open("/dev/full", "w", encoding="ascii") as full:
-            words = [str(AUGICP), "info", str(ROOM / "source.ply")]
-            self.assertEqual(subprocess.run(words, stdout=full, stderr=subprocess.PIPE, timeout=60, check=False).returncode, 3)
+            cloud = str(ROOM / "source.ply")
+            for words in (("info", cloud), ("align", cloud, cloud, "--trace", "--json", "-")):  # little and much
+                finished = subprocess.run([str(AUGICP), *words], stdout=full, stderr=subprocess.PIPE, timeout=60, check=False)
+                self.assertEqual(finished.returncode, 3, finished.stderr)
+                self.assertIn(b"standard output cannot be written", finished.stderr)
 
     def test_failed_writing_leaves_nothing(self):
         target = self.folder / "sub" / "T.txt"

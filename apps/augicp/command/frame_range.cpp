@@ -12,9 +12,10 @@ std::vector<std::size_t> FrameRange::chosen(std::size_t count, const std::string
   std::vector<std::size_t> numbers;
   const std::size_t end = std::min(last, count);
   for (std::size_t i = first; i < end; i += std::min(every, end - i)) numbers.push_back(i);
+  const std::string and_last = last < kNoLast ? fmt::format(" --last {}", last) : "";
   if (numbers.empty())
     throw std::invalid_argument(
-        fmt::format("--first {} --last {}: no {} of the sequence's {} is chosen", first, last, what, count));
+        fmt::format("--first {}{}: no {} of the sequence's {} is chosen", first, and_last, what, count));
   return numbers;
 }
 

@@ -10,7 +10,8 @@ namespace augicp::app {
 
 // Which frames of a sequence are used.
 struct FrameRange {
-  std::size_t first = 0, last = std::size_t{1} << 40, every = 1;
+  static constexpr std::size_t kNoLast = std::size_t{1} << 40;
+  std::size_t first = 0, last = kNoLast, every = 1;
 
   // The selected numbers below `count`. Throws std::invalid_argument if there is none; what: the word for a frame.
   std::vector<std::size_t> chosen(std::size_t count, const std::string& what) const;

@@ -21,6 +21,8 @@ int fail(const char* message, ExitCode code) {
   return code;
 }
 
+int fail_to_print() { return fail("standard output cannot be written", kInvalidInput); }
+
 int run(int argc, char** argv) {
   CLI::App app;
   int exit_code = kSuccess;
@@ -53,9 +55,7 @@ int main(int argc, char** argv) {
     end_on_signals();
     const int code = run(argc, argv);
     // A full disk behind a redirection must not look like success.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      return fail("standard output cannot be written", kInvalidInput);
-    return code;
+    return std::fflush(stdout) == 0 && !std::ferror(stdout) ? code : fail_to_print();
   } catch (const augicp::IoError& error) {
     return fail(error.what(), kInvalidInput);
   } catch (const augicp::TooMuchMemory& error) {
@@ -63,6 +63,6 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return fail(error.what(), kUsage);
   } catch (const std::exception& error) {
-    return fail(error.what(), kInternalError);
+    return std::ferror(stdout) ? fail_to_print() : fail(error.what(), kInternalError);  // printing much throws
   }
 }
