@@ -8,7 +8,7 @@
 namespace augicp {
 namespace {
 
-// Of the squared distance of two poses in deviations, a chi-squared number of six degrees of freedom, the 0.95
+// Of the squared distance of two poses in deviations, a chi-squared number of six degrees of freedom, the 0.999
 // quantile.
 constexpr double kMaxChi2 = 22.5;
 
