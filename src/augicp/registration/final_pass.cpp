@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/registration/final_pass.h"
 
+#include <optional>
 #include <utility>
 
 #include "augicp/core/stop.h"
@@ -40,29 +41,32 @@ AlignResult judged_like_first(AlignResult again, const ScanPair& first, const Gu
       .judged(std::move(again));
 }
 
-Registration aligned_finer(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
+// Nothing if the first result is to be kept.
+std::optional<Registration> aligned_finer(const Registration& first, RawPair raw, const Guess& guess,
+                                          const RegistrationOptions& options) {
   PreparedPair finer = prepare_both(std::move(raw), finer_lengths(first.prepared.lengths, kFinalShare), options);
   throw_if_stopped(options.stop);
   const auto matcher = matcher_for(finer.target, /*projective=*/false, finer.lengths);
   AlignResult again = aligned_again(finer, first.result, *matcher, options);
-  if (!is_more_certain(again, first.result, first.prepared.target.cloud)) return first;
+  if (!is_more_certain(again, first.result, first.prepared.target.cloud)) return std::nullopt;
   again = judged_like_first(std::move(again), first.prepared, guess, options);
-  if (again.status != AlignStatus::Converged) return first;
-  return {std::move(again), std::move(finer)};
+  if (again.status != AlignStatus::Converged) return std::nullopt;
+  return Registration{std::move(again), std::move(finer)};
 }
 
 }  // namespace
 
 Registration with_final_pass(Registration first, RawPair raw, const Guess& guess, const RegistrationOptions& options) {
   if (first.result.status != AlignStatus::Converged || !first.result.covariance) return first;
-  const auto again = [&] {
+  const auto again = [&]() -> std::optional<Registration> {
     try {
       return aligned_finer(first, std::move(raw), guess, options);
     } catch (const TooMuchMemory&) {  // the first result needed less
-      return first;
+      return std::nullopt;
     }
   };
-  return reported(options.on_stage, Stage::FinalPass, again);
+  std::optional<Registration> finer = reported(options.on_stage, Stage::FinalPass, again);
+  return finer ? *std::move(finer) : std::move(first);
 }
 
 }  // namespace augicp
