@@ -108,6 +108,7 @@ std::vector<std::vector<Correspondence>> match_nearby(const Cloud& source, const
   };
   for_each_block(source.size(), num_threads, match_block, kPointsPerBlock);
   std::vector<std::vector<Correspondence>> pairs;
+  pairs.reserve(of_pose.size());
   for (const Blocks& blocks : of_pose) pairs.push_back(joined(blocks));
   return pairs;
 }

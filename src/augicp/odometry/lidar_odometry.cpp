@@ -251,7 +251,7 @@ FrameReport LidarOdometry::add(double stamp_s, const Cloud& scan, const SweepSha
   const std::stop_token own = options_.stop;
   if (stop.stop_possible()) options_.stop = stop;
   try {
-    const FrameReport report = added(stamp_s, scan, shares);
+    FrameReport report = added(stamp_s, scan, shares);
     options_.stop = own;
     return report;
   } catch (...) {
@@ -276,7 +276,7 @@ FrameReport LidarOdometry::added(double stamp_s, const Cloud& scan, const SweepS
     shortest_gap_s_ = before == 0.0 ? gap_s : std::min(before, gap_s);
   }
   try {
-    const FrameReport report = placed(stamp_s, scan, shares);
+    FrameReport report = placed(stamp_s, scan, shares);
     last_stamp_s_ = stamp_s;
     return report;
   } catch (...) {

@@ -190,7 +190,7 @@ SurfaceMap::Level SurfaceMap::coarser_level(int factor) const {
 
 Shape SurfaceMap::shape_in(const Voxel& voxel, std::vector<Level>& coarser, double min_coarse_count,
                            Vec3d& mean) const {
-  const Shape own = shape_of(voxel.sums);
+  Shape own = shape_of(voxel.sums);
   const Vec3d own_mean = voxel.sums.centre + voxel.sums.sum / voxel.sums.count;
   mean = own_mean;
   const bool shows_its_shape = voxel.sums.count >= options_.thresholds.min_points && !voxel.sums.is_of_one_ring();
@@ -215,6 +215,7 @@ Shape SurfaceMap::shape_in(const Voxel& voxel, std::vector<Level>& coarser, doub
 
 std::vector<SurfaceMap::Level> SurfaceMap::coarser_levels() const {
   std::vector<Level> levels;
+  levels.reserve(kCoarser.size());
   for (const int factor : kCoarser) levels.push_back(coarser_level(factor));
   return levels;
 }

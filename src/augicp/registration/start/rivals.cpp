@@ -140,6 +140,7 @@ std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_targ
               kMaxLedOn, pair.lengths.radius, kSameAngle);
   erase_hopeless(begun, least - kMaxGain);
   std::vector<Rigid3> starts;
+  starts.reserve(begun.size());
   for (const Hypothesis& start : begun) starts.push_back(start.target_from_source);
   by.max_iterations = kIterations;
   std::vector<Hypothesis> found = led_on(match, starts, by);
