@@ -10,7 +10,7 @@ namespace augicp {
 // has an error of its own, of which its covariance knows little. The final pass starts from that pose and has balls and
 // voxels of 0.7 of the first ones. It replaces `first` if
 //
-//   * it converges too, and the RMS error of the points that its covariance predicts is smaller, and
+//   * it converges too, and the RMS error of the points that its covariance predicts is clearly smaller, and
 //   * the evidence supports its pose, by the same scans and tolerances by which `first` was judged.
 //
 // Without a covariance nothing can be decided. raw: the scans before prepare_pair(). guess: where the search began.

@@ -29,7 +29,7 @@ constexpr double kMinGap = 1e-3;
 AUGICP_INLINE double at_least(double bound, double x) { return x > bound ? x : bound; }
 AUGICP_INLINE double at_most(double bound, double x) { return x < bound ? x : bound; }
 
-// acos(r) / 3 for r in [-1, 1] to 2e-8: Abramowitz and Stegun 4.4.46.
+// acos(r) / 3 for r in [-1, 1] to 2e-8: Abramowitz and Stegun 4.4.46, as in symmetric_batch.cpp, there in float.
 AUGICP_INLINE double third_of_arc_cosine(double r) {
   const double a = std::abs(r);
   const double series =
