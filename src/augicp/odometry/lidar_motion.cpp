@@ -79,6 +79,7 @@ void LidarOdometry::restart_map_with(const TimedScan& scan, bool is_skewed) {
   Attempt attempt = prepared(scan.cloud, is_skewed ? scan.shares : SweepShares{}, scan.motion);
   attempt.world_from_sensor = scan.pose.world_from_camera;
   map_ = empty_map();
+  has_bent_scans_ = false;
   self_check_.clear();
   merge(scan.pose.stamp_s, attempt);
 }
@@ -96,7 +97,6 @@ void LidarOdometry::straighten_start(double stamp_s, const Cloud& scan, const Sw
     start_scan_->motion = found;
     restart_map_with(*start_scan_, true);
   }
-  if (is_third) start_scan_.reset();
 }
 
 }  // namespace augicp

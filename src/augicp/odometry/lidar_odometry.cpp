@@ -111,6 +111,7 @@ void LidarOdometry::merge(double stamp_s, const Attempt& attempt) {
   if (options_.remove_seen_through) remove_seen_through(attempt);
   if (options_.parts.is_last_scan_alone) map_ = empty_map();
   map_->add(attempt.fine, pose);
+  has_bent_scans_ = has_bent_scans_ || (attempt.motion && is_bent(*attempt.motion));
   map_->forget_beyond(pose.translation, options_.reach_voxels * voxel_size_);
   if (options_.check_every > 0)
     self_check_.remember(stamp_s, attempt.source, pose, covariance_at_sensor(attempt), kRememberedVoxels * voxel_size_);
@@ -128,6 +129,7 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   report.is_keyframe = true;
   report.segment = segment_;
   map_ = empty_map();
+  has_bent_scans_ = false;
   Attempt attempt = prepared(scan, {}, SweepMotion{});
   attempt.world_from_sensor = report.world_from_camera;
   self_check_.clear();
@@ -182,21 +184,21 @@ FrameReport LidarOdometry::placed(double stamp_s, const Cloud& scan, const Sweep
   }
   const Rigid3 guess = predicted(stamp_s);
   if (is_after_pause(stamp_s)) start_scan_.reset();
-  const bool is_skewed = is_taken_as_skewed(shares);
-  if (!is_skewed) start_scan_.reset();
+  if (!is_taken_as_skewed(shares)) start_scan_.reset();
   if (start_scan_) straighten_start(stamp_s, scan, shares);
-  Attempt attempt = registered(stamp_s, scan, is_skewed ? shares : SweepShares{});
+  const bool is_third = before_last_.has_value();
+  std::optional<SkewTrial> trial;
+  Attempt attempt = registered_as_it_shows(stamp_s, scan, shares, trial);
   report.status = status_of(attempt);
   if (wants_covariance() || is_near_last(attempt))
     attempt.result.covariance = covariance_of(attempt.result, attempt.source);
   if (report.status == FrameStatus::Tracked) settle(attempt);
   if (report.status == FrameStatus::Tracked) report.drift = checked(attempt);
   describe(attempt, report);
-  const SweepMotion motion = motion_of_sweep(stamp_s, attempt.world_from_sensor);
-  const bool shows_skew = options_.deskew && !shares.empty() && report.status == FrameStatus::Tracked &&
-                          (!before_last_ || spans_since_last(stamp_s) <= kTrustedSpans);
+  if (report.status != FrameStatus::Tracked) trial.reset();
   follow(attempt, guess, report);
-  if (shows_skew) try_skew({scan, shares, {stamp_s, attempt.world_from_sensor}, motion});
+  if (is_third) start_scan_.reset();
+  if (trial) conclude(*trial);
   return report;
 }
 

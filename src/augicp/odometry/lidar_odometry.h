@@ -145,6 +145,13 @@ class LidarOdometry {
     SweepMotion motion;  // during its sweep
   };
 
+  struct SkewTrial {
+    TimedScan scan;
+    bool is_bent = false;                  // this scan or the reference, by the motion
+    bool restarts_map = false;             // the majority has changed
+    std::optional<SkewEstimate> estimate;  // where one is
+  };
+
   struct Accelerations {  // in the sensor's frame, per sweep^2
     Vec3d linear = Vec3d::Zero(), angular = Vec3d::Zero();
   };
@@ -174,7 +181,12 @@ class LidarOdometry {
   Attempt started(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   bool is_taken_as_skewed(const SweepShares& shares) const;
-  void try_skew(const TimedScan& scan);
+  bool may_show_skew(double stamp_s, const SweepShares& shares) const;
+  SkewTrial tried_skew(const TimedScan& scan);
+  Attempt registered_as_it_shows(double stamp_s, const Cloud& scan, const SweepShares& shares,
+                                 std::optional<SkewTrial>& trial);
+  bool is_bent(const SweepMotion& motion) const;
+  void conclude(const SkewTrial& trial);
   void search(Attempt& attempt) const;
   bool is_check_due() const;
   bool is_search_due() const;
@@ -208,6 +220,7 @@ class LidarOdometry {
   double usual_agreement_ = 0.0;
   SkewVotes skew_votes_;
   std::optional<TimedScan> skew_reference_;  // until the votes have decided
+  bool has_bent_scans_ = false;              // the map, of scans that were straightened
   bool is_last_degenerate_ = false;
   int num_lost_ = 0;
   int segment_ = 0;

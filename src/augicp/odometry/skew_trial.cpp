@@ -36,10 +36,6 @@ constexpr double kCorrelationVoxels = 2.0;
 
 constexpr double kRidge = 1e-9;
 
-// Estimates with larger deviations are left out: the deviation leaves out what is systematic, as traffic and the
-// pattern of the rings, which is then as large as the difference between the two answers.
-constexpr double kMaxDeviation = 0.04;
-
 constexpr int kNumVotes = 8;
 constexpr int kMaxTrials = 40;
 
@@ -174,10 +170,11 @@ std::optional<SkewEstimate> estimate_skew(const SkewedScan& reference, const Ske
   return found;
 }
 
-void SkewVotes::add(const std::optional<SkewEstimate>& estimate) {
+void SkewVotes::add(const std::optional<SkewEstimate>& estimate, bool is_change_free) {
   ++num_tried_;
-  if (!estimate || !(estimate->deviation <= kMaxDeviation)) return;
-  ++(estimate->share > 0.5 ? num_for_ : num_against_);
+  if (!estimate || !estimate->counts()) return;
+  if (is_change_free && estimate->is_clear() && !estimate->is_skewed()) majority_ = 0;
+  ++(estimate->is_skewed() ? num_for_ : num_against_);
 }
 
 bool SkewVotes::is_decided() const { return num_tried_ >= kMaxTrials || num_for_ + num_against_ >= kNumVotes; }

@@ -2,6 +2,7 @@
 // Whether scans are skewed as the times of their points say, or were taken at once, or are deskewed already.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,16 @@ SkewedScan skewed_scan(const Cloud& scan, const SweepShares& shares, const Sweep
 struct SkewEstimate {
   double share;      // of the skew that the times of points predict: 1 for sweeps as measured, 0 for straight scans
   double deviation;  // its standard deviation
+
+  bool is_skewed() const { return share > 0.5; }
+
+  // A vote counts if its deviation is small; it is clear if it is nearer to one answer than to none.
+  bool counts() const { return deviation <= kMaxDeviation; }
+  bool is_clear() const { return counts() && std::abs(share - 0.5) > 0.25; }
+
+  // Larger deviations leave out what is systematic, as traffic and the pattern of the rings, which is then as large as
+  // the difference between the two answers.
+  static constexpr double kMaxDeviation = 0.04;
 };
 
 // Fits two scans as they came to each other, with pairs (p, q) of points on planes of normal n:
@@ -39,17 +50,18 @@ std::optional<SkewEstimate> estimate_skew(const SkewedScan& reference, const Ske
 // Collects estimates, and decides by a clear majority.
 class SkewVotes {
  public:
-  void add(const std::optional<SkewEstimate>& estimate);
+  // is_change_free: nothing is lost if the answer changes with this estimate.
+  void add(const std::optional<SkewEstimate>& estimate, bool is_change_free = false);
 
   // No further estimates are needed.
   bool is_decided() const;
 
-  // The times of points are believed until three estimates more are against them than for them.
-  bool is_skewed() const { return num_against_ < num_for_ + kMajority; }
+  // The times of points are believed until three estimates more are against them than for them; or, after a clear
+  // one against them while a change was free, where more are for them than against.
+  bool is_skewed() const { return num_against_ < num_for_ + majority_; }
 
  private:
-  static constexpr int kMajority = 3;
-
+  int majority_ = 3;
   int num_tried_ = 0, num_for_ = 0, num_against_ = 0;
 };
 

@@ -94,6 +94,21 @@ TEST(SkewVotes, TimesAreBelievedUntilThreeEstimatesMoreAreAgainstThem) {
   EXPECT_TRUE(votes.is_decided());
 }
 
+// The map then holds no scan that was bent.
+TEST(SkewVotes, AClearEstimateAgainstThemIsBelievedWhereAChangeIsFree) {
+  SkewVotes votes;
+  votes.add(SkewEstimate{0.4, 0.01}, true);
+  EXPECT_TRUE(votes.is_skewed()) << "not clear";
+  votes.add(SkewEstimate{0.1, 0.5}, true);
+  EXPECT_TRUE(votes.is_skewed()) << "uncertain";
+  votes.add(SkewEstimate{0.1, 0.01}, true);
+  EXPECT_FALSE(votes.is_skewed());
+  for (const double share : {0.9, 1.0}) votes.add(SkewEstimate{share, 0.01});
+  EXPECT_FALSE(votes.is_skewed()) << "as many for them as against them";
+  votes.add(SkewEstimate{1.0, 0.01});
+  EXPECT_TRUE(votes.is_skewed());
+}
+
 TEST(SkewVotes, UncertainEstimatesDoNotCount) {
   SkewVotes votes;
   for (int k = 0; k < 10; ++k) votes.add(SkewEstimate{0.0, 0.5});

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// LidarOdometry with scans that have times of points and are not skewed: taken at once, or deskewed before.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "augicp/odometry/lidar_odometry.h"
+#include "augicp/synthetic/lidar.h"
+#include "augicp/synthetic/outdoor_scenes.h"
+#include "augicp/testing/scene.h"
+
+namespace augicp {
+namespace {
+
+using synthetic::Motion;
+
+constexpr double kSweep_s = 0.1;
+
+synthetic::Lidar lidar_of(int num_azimuths) {
+  synthetic::Lidar lidar;
+  lidar.num_rings = 32;
+  lidar.num_azimuths = num_azimuths;
+  lidar.sweep_s = kSweep_s;
+  return lidar;
+}
+
+// The largest distance between found and true places, metres.
+double worst_of_scans_at_once(const testing::Scene& scene, const Motion& motion, int num_scans,
+                              const synthetic::Lidar& lidar) {
+  LidarOptions options;
+  options.num_threads = 1;
+  LidarOdometry odometry(options);
+  const Rigid3 first_from_world = inverse(motion(0.0));
+  double worst = 0.0;
+  for (int k = 0; k < num_scans; ++k) {
+    const double stamp_s = k * kSweep_s;
+    const synthetic::Sweep scan = synthetic::scan({scene, {}}, lidar, synthetic::standing_at(motion(stamp_s)),
+                                                  static_cast<unsigned>(k + 1), stamp_s);
+    const FrameReport report = odometry.add(stamp_s, scan.cloud, shares_from_times(scan.times_s));
+    EXPECT_TRUE(has_pose(report.status)) << "scan " << k;
+    const Rigid3 off = inverse(first_from_world * motion(stamp_s)) * report.world_from_camera;
+    worst = std::max(worst, off.translation.norm());
+  }
+  return worst;
+}
+
+// With the first scan that would be bent, not with the third.
+TEST(LidarSkew, StraightScansAreTakenAsTheyComeFromTheFirstMotionOn) {
+  const testing::Scene street = synthetic::street(5);
+  for (const double start_s : {0.0, 0.45}) {
+    const Motion motion = [&](double time_s) {
+      const double distance = 8.0 * std::max(0.0, time_s - start_s);
+      return street.world_from_camera * Rigid3{Eigen::Quaterniond::Identity(), {distance, 0.0, 0.0}};
+    };
+    EXPECT_LT(worst_of_scans_at_once(street, motion, 9, lidar_of(360)), 0.03) << "starts at " << start_s << " s";
+  }
+}
+
+}  // namespace
+}  // namespace augicp
