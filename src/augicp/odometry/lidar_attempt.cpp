@@ -10,6 +10,7 @@
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/odometry/surface_agreement.h"
 #include "augicp/registration/far_outliers.h"
+#include "augicp/registration/judge.h"
 #include "augicp/registration/registration.h"
 #include "augicp/trust/covariance.h"
 
@@ -112,8 +113,10 @@ AlignOptions LidarOdometry::align_options() const {
   return align_by;
 }
 
-void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const {
+void LidarOdometry::align_to_map(const Rigid3& guess, double gate, Attempt& attempt,
+                                 const std::optional<FreeDirections>& free) const {
   AlignOptions align_by = align_options();
+  align_by.free_directions = free;
   const double min_observability = align_by.min_observability;
   // A wide gate lets scans slide along what the last one left free, or where nothing is known yet.
   const bool holds_from_afar = !before_last_ || is_last_degenerate_;
@@ -209,7 +212,15 @@ void LidarOdometry::search(Attempt& attempt) const {
 
 LidarOdometry::Attempt LidarOdometry::from(const Start& start, const Cloud& scan, const SweepShares& shares) const {
   Attempt attempt = prepared(scan, shares, start.motion);
-  align_to_map(start.world_from_sensor, std::min(start.gate_voxels, kMaxGate) * voxel_size_, attempt);
+  const double gate = std::min(start.gate_voxels, kMaxGate) * voxel_size_;
+  align_to_map(start.world_from_sensor, gate, attempt);
+  // What is free shows only where the gate is narrow, and before that the scan may have slid along it.
+  const auto num_free = static_cast<int>(attempt.result.free_motions.size());
+  const Rigid3 guess = without_origins(start.world_from_sensor, attempt.source, matcher_->target());
+  if (!start.is_trusted || num_free == 0 || !has_left_along_free(attempt.result, guess)) return attempt;
+  const int num_iterations = attempt.iterations;
+  align_to_map(start.world_from_sensor, gate, attempt, FreeDirections{attempt.result.observability, num_free});
+  attempt.iterations += num_iterations;
   return attempt;
 }
 
@@ -219,9 +230,10 @@ LidarOdometry::Attempt LidarOdometry::started(double stamp_s, const Cloud& scan,
   const Rigid3 guess = predicted(stamp_s);
   const double gate =
       before_last_ ? options_.gate_voxels + kGatePerError * prediction_error_ / voxel_size_ : kFirstGate;
-  Attempt attempt = from({guess, motion_of_sweep(stamp_s, guess), gate}, scan, shares);
-  if (!before_last_ || (is_convincing(attempt) && spans_since_last(stamp_s) <= kTrustedSpans)) return attempt;
-  Attempt at_rest = from({last_->world_from_camera, SweepMotion{}, kFirstGate}, scan, shares);
+  const bool is_trusted = before_last_ && spans_since_last(stamp_s) <= kTrustedSpans;
+  Attempt attempt = from({guess, motion_of_sweep(stamp_s, guess), gate, is_trusted}, scan, shares);
+  if (!before_last_ || (is_convincing(attempt) && is_trusted)) return attempt;
+  Attempt at_rest = from({last_->world_from_camera, SweepMotion{}, kFirstGate, false}, scan, shares);
   return at_rest.agreement > kClearGain * attempt.agreement ? at_rest : attempt;
 }
 

@@ -24,6 +24,7 @@ struct LidarOdometry::Start {
   Rigid3 world_from_sensor;
   SweepMotion motion;  // with which the scan is straightened
   double gate_voxels;
+  bool is_trusted;  // what is free then keeps to it
 };
 
 // No LiDAR measures farther: 26 km with the smallest voxels. The cells of what is nearer have keys of 21 bits an axis.

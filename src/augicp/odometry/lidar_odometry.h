@@ -174,7 +174,8 @@ class LidarOdometry {
   Attempt prepared(const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
   Attempt straightened(Attempt attempt, const Cloud& scan, const SweepShares& shares, const SweepMotion& motion) const;
   AlignOptions align_options() const;
-  void align_to_map(const Rigid3& guess, double gate, Attempt& attempt) const;
+  void align_to_map(const Rigid3& guess, double gate, Attempt& attempt,
+                    const std::optional<FreeDirections>& free = {}) const;
   std::optional<Mat6d> covariance_of(const AlignResult& result, const Cloud& source) const;
   bool is_convincing(const Attempt& attempt) const;
   Attempt from(const Start& start, const Cloud& scan, const SweepShares& shares) const;
