@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "augicp/core/parallel.h"
 #include "augicp/match/matcher.h"
 
@@ -96,6 +99,24 @@ TEST(Agreement, ToleranceIsChecked) {
   EXPECT_THROW(as_seen_by_camera(wall().cloud, {}, {}), std::invalid_argument);
   EXPECT_THROW(as_seen_by_camera(wall().cloud, {}, {.distance = -1.0}), std::invalid_argument);
   EXPECT_THROW(as_seen_by_camera(wall().cloud, {}, {.distance = 1.0, .min_cosine = 2.0}), std::invalid_argument);
+}
+
+// 100 points agree under both poses, 30 are hidden under one.
+TEST(Agreement, OnMoreThanChanceIsFourDeviations) {
+  using enum PointAgreement;
+  const auto points = [](std::size_t num_agreeing, std::size_t num_differing) {
+    std::vector<PointAgreement> all(100 + num_agreeing, Agree);
+    all.insert(all.end(), num_differing, Differ);
+    all.insert(all.end(), 30, Hidden);
+    return all;
+  };
+  std::vector<PointAgreement> others(points(0, 40));
+  std::fill(others.end() - 30, others.end(), Agree);
+  EXPECT_TRUE(agree_on_more(points(40, 0), others));
+  EXPECT_TRUE(agree_on_more(points(17, 23), others)) << "17 of 17 are 4.1 deviations";
+  EXPECT_FALSE(agree_on_more(points(15, 25), others)) << "15 of 15 are 3.9";
+  EXPECT_FALSE(agree_on_more(others, points(40, 0)));
+  EXPECT_FALSE(agree_on_more(others, others));
 }
 
 }  // namespace

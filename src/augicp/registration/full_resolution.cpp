@@ -168,7 +168,28 @@ AlignResult FullResolution::asked(AlignResult first, const Rigid3& start) const 
   }
   const bool is_bolder = result.free_motions.size() < first.free_motions.size();
   const bool is_kept = has_pose(result.status) && (!is_bolder || is_gain(result, first, probe));
-  return is_kept ? result : first;
+  return held_where_idle(is_kept ? result : first, start);
+}
+
+// What noise gives to a free motion makes a little more of the scans agree where the loop has taken it. So an image
+// pair moves along a doubtful direction only where the scans agree on clearly more than with that one at the guess.
+AlignResult FullResolution::held_where_idle(AlignResult result, const Rigid3& start) const {
+  if (!pair_.target.view || !has_pose(result.status)) return result;
+  const Observability seen = result.observability;
+  const auto num_free = result.free_motions.size();
+  const auto num_doubtful = static_cast<std::size_t>(seen.num_below(doubtful_information(result)));
+  std::vector<bool> is_free(6, false);
+  std::fill_n(is_free.begin(), num_free, true);
+  for (std::size_t k = num_free; k < num_doubtful; ++k) {
+    is_free[k] = true;
+    AlignResult held = aligned(start, free_first(seen, is_free));
+    const Rigid3 &at_guess = held.target_from_source, &moved = result.target_from_source;
+    is_free[k] = has_pose(held.status) &&
+                 differ_clearly(pair_.source.cloud, at_guess, moved, kMaxIdleMove * pair_.lengths.radius) &&
+                 !agree_on_more(judge_.agreements(moved), judge_.agreements(at_guess));
+    if (is_free[k]) result = std::move(held);
+  }
+  return result;
 }
 
 bool FullResolution::is_doubtful(const AlignResult& result) const {

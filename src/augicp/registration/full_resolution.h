@@ -39,6 +39,7 @@ class FullResolution {
   bool is_gain(const AlignResult& again, const AlignResult& result, const MotionProbe& probe) const;
   AlignResult found_from(const Rigid3& start_target_from_source) const;
   AlignResult asked(AlignResult first, const Rigid3& start_target_from_source) const;
+  AlignResult held_where_idle(AlignResult result, const Rigid3& start_target_from_source) const;
   Rigid3 at_guess_along(const FreeDirections& free, const Rigid3& target_from_source) const;
 
   ScanPair pair_;

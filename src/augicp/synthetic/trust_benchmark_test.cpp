@@ -175,6 +175,11 @@ TEST(TrustBenchmark, ASearchDoesNotLeaveTheGuessAlongACorridor) {
   EXPECT_EQ(row_of_family("image corridor", {21014}).wrong_converged, 0U);
 }
 
+// What noise makes of its walls took these pairs 5 and 6 cm along the corridor, from 9 and 11 cm.
+TEST(TrustBenchmark, NoiseDoesNotHoldACorridor) {
+  EXPECT_EQ(row_of_family("image corridor", {110185, 110297}).wrong_converged, 0U);
+}
+
 TEST(TrustBenchmark, WhatShapesConstrainConverges) {
   for (const char* name : {"lidar street", "flat outlines"}) {
     const TrustRow row = row_of_family(name, {2, 4, 6});
