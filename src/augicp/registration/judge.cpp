@@ -154,8 +154,9 @@ AlignResult Judge::judged(AlignResult result) const {
   evidence.observability = result.observability.weakest();
   const Verdict verdict = decide(reached, evidence);
   const bool has_left = guess_target_from_source_ && has_left_along_free(result, *guess_target_from_source_);
-  result.status = has_left && !verdict.doubts.empty() ? AlignStatus::Doubtful : verdict.status;
+  result.status = has_left ? AlignStatus::Doubtful : verdict.status;
   result.doubts = verdict.doubts;
+  if (has_left) result.doubts.push_back(Doubt::LeftGuess);
   result.evidence = evidence;
   return result;
 }

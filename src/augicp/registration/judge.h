@@ -55,7 +55,7 @@ class Judge {
 };
 
 // Whether a pose is not at the guess along what is free there. Degenerate promises that it is. Far from the guess there
-// may be no way back, which a pose that is contradicted does not hide behind that status.
+// may be no way back, and the pose is doubtful.
 bool has_left_along_free(const AlignResult& result, const Rigid3& guess_target_from_source);
 
 // Whether the evidence supports the pose: it converged, or some of its motions are free and there is no doubt about the

@@ -176,6 +176,28 @@ TEST(Judge, APoseHasLeftTheGuessOnlyByMovingAlongWhatIsFree) {
   EXPECT_FALSE(has_left({5.0, 0.0, 0.0}));
 }
 
+// The right pose, as if a motion were free there along which the guess is 10 cm away.
+TEST(Judge, APoseThatHasLeftTheGuessAlongWhatIsFreeIsDoubtful) {
+  const Pair pair = near_pair();
+  const RegistrationOptions options;
+  const PreparedPair prepared = prepare_pair(pair.source, pair.target, options);
+  const auto matcher = matcher_for(prepared.target, true, prepared.lengths);
+  AlignResult result;
+  result.target_from_source = pair.target_from_source;
+  result.status = AlignStatus::Degenerate;
+  result.observability.directions = Mat6d::Identity();
+  result.observability.gyration = 1.0;
+  result.free_motions.resize(1);
+  const auto judged = [&](const Vec3d& from_guess) {
+    const Rigid3 guess{pair.target_from_source.rotation, pair.target_from_source.translation + from_guess};
+    return Judge(prepared, *matcher, guess, align_options(prepared.lengths, true, options)).judged(result);
+  };
+  EXPECT_EQ(judged({0.0, 0.1, 0.0}).status, AlignStatus::Degenerate);
+  EXPECT_THAT(judged({0.0, 0.1, 0.0}).doubts, ::testing::IsEmpty());
+  EXPECT_EQ(judged({0.1, 0.0, 0.0}).status, AlignStatus::Doubtful);
+  EXPECT_THAT(judged({0.1, 0.0, 0.0}).doubts, ::testing::ElementsAre(Doubt::LeftGuess));
+}
+
 TEST(Judge, FarApartIsNoOverlap) {
   const Pair pair = near_pair();
   const Rigid3 far{Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}};

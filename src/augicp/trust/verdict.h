@@ -122,6 +122,7 @@ enum class Doubt {
   Contradiction,  // a part leaves the other's surface where that goes on
   BarePlanes,     // only three planes agree, far from the guess
   OnlyPlanes,     // large planes agree far better than what lies off them
+  LeftGuess,      // it has moved along what is free
 };
 template <>
 inline constexpr auto kWords<Doubt> = std::to_array<Word<Doubt>>({{Doubt::LittleSeen, "little_seen"},
@@ -129,7 +130,8 @@ inline constexpr auto kWords<Doubt> = std::to_array<Word<Doubt>>({{Doubt::Little
                                                                   {Doubt::FreeSpace, "free_space"},
                                                                   {Doubt::Contradiction, "contradiction"},
                                                                   {Doubt::BarePlanes, "bare_planes"},
-                                                                  {Doubt::OnlyPlanes, "only_planes"}});
+                                                                  {Doubt::OnlyPlanes, "only_planes"},
+                                                                  {Doubt::LeftGuess, "left_guess"}});
 
 struct Verdict {
   AlignStatus status = AlignStatus::Doubtful;

@@ -293,6 +293,7 @@ TEST(Verdict, DoubtsAndFreeMotionsHaveTheirNames) {
   EXPECT_EQ(name_of(Doubt::FreeSpace), "free_space");
   EXPECT_EQ(name_of(Doubt::BarePlanes), "bare_planes");
   EXPECT_EQ(name_of(Doubt::OnlyPlanes), "only_planes");
+  EXPECT_EQ(name_of(Doubt::LeftGuess), "left_guess");
   EXPECT_EQ(name_of(FreeMotion::Kind::Translation), "translation");
   EXPECT_EQ(name_of(FreeMotion::Kind::Rotation), "rotation");
   EXPECT_EQ(name_of(FreeMotion::Kind::Screw), "screw");
