@@ -64,7 +64,10 @@ Registration registered_finer(const Registration& first, const RawPair& raw, con
     return prepare_both(raw, finer_lengths(first.prepared.lengths, kFinerShare), options);
   };
   PreparedPair finer = reported(options.on_stage, Stage::FinerBalls, prepare_finer);
-  AlignResult result = from_known(finer, poses_of(first.result), guess, options);
+  // Smaller balls allow less: some of a part then disagrees, and no longer shows by itself that it is one.
+  ScanPair pair = finer;
+  pair.known_part = part_of(*first.result.evidence);
+  AlignResult result = from_known(pair, poses_of(first.result), guess, options);
   return {std::move(result), std::move(finer)};
 }
 

@@ -119,6 +119,7 @@ Evidence Judge::evidence(const Rigid3& target_from_source) const {
   const auto of_source = std::span(of_point).first(of_source_.size());
   const auto of_target = std::span(of_point).subspan(of_source_.size());
   Evidence evidence;
+  evidence.known_part = pair_.known_part;
   evidence.source_in_target = {counted(of_source), in_target.knows_free_space()};
   evidence.target_in_source = {counted(of_target), source_says_->knows_free_space()};
   const double radius = pair_.lengths.radius;

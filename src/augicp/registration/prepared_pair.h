@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "augicp/registration/lengths.h"
+#include "augicp/trust/verdict.h"
 
 namespace augicp {
 
@@ -25,6 +26,7 @@ struct ScanPair {
   const Scan& source;
   const Scan& target;
   Lengths lengths;
+  Part known_part = Part::None;
 
   ScanPair(const Scan& source_scan, const Scan& target_scan, const Lengths& pair_lengths)
       : source(source_scan), target(target_scan), lengths(pair_lengths) {}

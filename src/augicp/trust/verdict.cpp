@@ -66,10 +66,11 @@ bool shows_all(const Testimony& testimony) { return testimony.seen() >= kAll && 
 // the part's free space contradicts.
 std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& limits) {
   auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
-  if (shows_all(evidence.source_in_target)) other[0] = other[1] = other[3] = other[4] = 0.0;
-  if (shows_all(evidence.target_in_source)) one[0] = one[1] = one[3] = one[4] = 0.0;
-  const bool is_part = shows_all(evidence.source_in_target) || shows_all(evidence.target_in_source);
-  const double joint = is_part ? 0.0 : joint_strain(evidence.source_in_target, evidence.target_in_source, limits);
+  const bool source_is_part = evidence.known_part == Part::Source || shows_all(evidence.source_in_target);
+  const bool target_is_part = evidence.known_part == Part::Target || shows_all(evidence.target_in_source);
+  if (source_is_part) other[0] = other[1] = other[3] = other[4] = 0.0;
+  if (target_is_part) one[0] = one[1] = one[3] = one[4] = 0.0;
+  const double joint = source_is_part || target_is_part ? 0.0 : joint_strain(evidence.source_in_target, evidence.target_in_source, limits);
   const double bare = bare_planes(evidence, limits);
   // What one cloud has off its planes the other may not have seen, but not both. What moved between the scans stands in
   // free space, so if that is known it is asked far from the guess only.
@@ -100,6 +101,11 @@ double Testimony::seen() const { return share(visible(count), count.total()); }
 double Testimony::agreeing() const { return share(count.agree, visible(count)); }
 double Testimony::margin() const { return seen() - (1.0 - agreeing()); }
 double Testimony::conflicting() const { return share(count.conflict, visible(count)); }
+
+Part part_of(const Evidence& evidence) {
+  const bool source = shows_all(evidence.source_in_target), target = shows_all(evidence.target_in_source);
+  return source == target ? Part::None : source ? Part::Source : Part::Target;
+}
 
 void VerdictLimits::check() const {
   require_share("min_margin", min_margin);
@@ -151,9 +157,10 @@ Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimit
 
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits) {
   rival.moved = std::min(rival.moved, best.moved);
-  return has_settled(rival, limits) && strain(rival, limits) <= 1.0 &&
-         is_seen_as_well(rival.source_in_target, best.source_in_target) &&
-         is_seen_as_well(rival.target_in_source, best.target_in_source);
+  if (!has_settled(rival, limits) || !(strain(rival, limits) <= 1.0)) return false;
+  // What a part lacks says nothing of the best pose, and nothing of the rival.
+  return (best.known_part == Part::Target || is_seen_as_well(rival.source_in_target, best.source_in_target)) &&
+         (best.known_part == Part::Source || is_seen_as_well(rival.target_in_source, best.target_in_source));
 }
 
 bool may_fit(Evidence of_guess, const Evidence& best, const VerdictLimits& limits) {

@@ -39,6 +39,9 @@ struct Testimony {
   double margin() const;       // seen, minus the share of those that does not agree
 };
 
+// Which of the two clouds is a part of the other, which shows all of it.
+enum class Part { None, Source, Target };
+
 // All that is known about a pose.
 struct Evidence {
   Testimony source_in_target, target_in_source;
@@ -46,9 +49,13 @@ struct Evidence {
   double last_step = std::numeric_limits<double>::infinity();           // of the loop, divided by the clouds' extent
   double last_rotation_step = std::numeric_limits<double>::infinity();  // radians
   double observability = 1.0;                                           // of the weakest direction, see observability.h
-  double beyond_planes = 1.0;  // share of the points that agree off the three largest planes, see beyond_planes.h
-  double moved = 0.0;          // RMS motion of the source from the guess, divided by its radius of gyration
+  double beyond_planes = 1.0;    // share of the points that agree off the three largest planes, see beyond_planes.h
+  double moved = 0.0;            // RMS motion of the source from the guess, divided by its radius of gyration
+  Part known_part = Part::None;  // known before this pose was judged
 };
+
+// None also if each shows all of the other: then they are two scans of one whole.
+Part part_of(const Evidence& evidence);
 
 // Evidence::moved without a guess: a pose is then as far from it as a half turn takes the points, and none is nearer
 // than another.

@@ -120,6 +120,33 @@ TEST(Verdict, APartIsNotAskedForWhatItLacks) {
   }
 }
 
+// It disagrees a little with the model in smaller balls, and is compared with no more of it for that.
+TEST(Verdict, AKnownPartIsNotAskedEither) {
+  Evidence evidence = good_evidence();
+  evidence.source_in_target.count = {.agree = 995, .differ = 5};
+  evidence.target_in_source.count = {.agree = 200, .differ = 300, .unseen = 500};
+  EXPECT_EQ(part_of(evidence), Part::Source);
+  evidence.source_in_target.count = {.agree = 950, .differ = 50};
+  EXPECT_EQ(part_of(evidence), Part::None);
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
+  evidence.known_part = Part::Target;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
+  evidence.known_part = Part::Source;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  Evidence rival = evidence;
+  rival.target_in_source.count = {.agree = 100, .differ = 300, .unseen = 600};
+  EXPECT_TRUE(fits_as_well(rival, evidence));
+  evidence.source_in_target.count = {.agree = 780, .differ = 220};
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
+}
+
+// Two scans of one whole show all of each other.
+TEST(Verdict, AWholeIsNoPart) {
+  Evidence evidence = good_evidence();
+  evidence.source_in_target.count = evidence.target_in_source.count = {.agree = 1000};
+  EXPECT_EQ(part_of(evidence), Part::None);
+}
+
 TEST(Verdict, ARivalFitsAsWellIfItsEvidenceIsAsGood) {
   EXPECT_TRUE(fits_as_well(good_evidence(), good_evidence()));
   Evidence contradicted = good_evidence();
