@@ -27,7 +27,7 @@ constexpr double kLessPlausible = 0.2;
 // More iterations rarely make a start more plausible by more than this: after the first ones 83 rivals of 128 searches
 // were at most 0.26 less plausible than the pose found (docs/lab/performance.md).
 constexpr double kMaxGain = 0.2;
-constexpr std::size_t kMaxRivals = 2;
+constexpr std::size_t kMaxRivals = 3;
 constexpr double kSameAngle = 3.0 * kRadPerDeg;
 
 constexpr std::size_t kNumNormals = 512;  // that vote for the axes
@@ -135,10 +135,9 @@ std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_targ
     });
   };
   by.max_iterations = kFirstIterations;
-  auto begun =
-      best_of(led_on(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by),
-              kMaxLedOn, pair.lengths.radius, kSameAngle);
+  auto begun = led_on(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by);
   erase_hopeless(begun, least - kMaxGain);
+  begun = best_of(std::move(begun), kMaxLedOn, pair.lengths.radius, kSameAngle);
   std::vector<Rigid3> starts;
   starts.reserve(begun.size());
   for (const Hypothesis& start : begun) starts.push_back(start.target_from_source);
