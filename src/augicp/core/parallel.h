@@ -6,6 +6,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace augicp {
@@ -33,6 +36,25 @@ Sum blocked_sum(std::size_t count, int num_threads, const Body& body, std::size_
   Sum total{};
   for (const Sum& sum : partial) total += sum;
   return total;
+}
+
+// The threads of each of two tasks that run side by side.
+inline int half_of_threads(int num_threads) { return num_threads > 1 ? num_threads / 2 : num_threads; }
+
+// The results of two functions without arguments, called concurrently unless num_threads is 1. REQUIRES: neither writes
+// what the other uses. An exception of either reaches the caller.
+template <typename One, typename Other>
+auto both(int num_threads, const One& one, const Other& other) {
+  std::optional<std::invoke_result_t<One>> of_one;
+  std::optional<std::invoke_result_t<Other>> of_other;
+  const auto call = [&](std::size_t task, std::size_t) {
+    if (task == 0)
+      of_one.emplace(one());
+    else
+      of_other.emplace(other());
+  };
+  for_each_block(2, num_threads, call, 1);
+  return std::pair(std::move(*of_one), std::move(*of_other));
 }
 
 }  // namespace augicp

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace augicp {
 namespace {
@@ -45,6 +46,32 @@ TEST(Parallel, ExceptionReachesTheCaller) {
     if (begin > 0) throw std::runtime_error("block");
   };
   EXPECT_THROW(for_each_block(10 * kBlockSize, 2, fail), std::runtime_error);
+}
+
+TEST(Parallel, BothReturnsTwoResults) {
+  for (const int num_threads : {0, 1, 2, 8}) {
+    const auto [number, word] = both(
+        num_threads, [] { return 7; }, [] { return std::string("seven"); });
+    EXPECT_EQ(number, 7);
+    EXPECT_EQ(word, "seven");
+  }
+}
+
+TEST(Parallel, AnExceptionOfEitherOfBothReachesTheCaller) {
+  const auto fail = []() -> int { throw std::runtime_error("task"); };
+  for (const int num_threads : {1, 2}) {
+    EXPECT_THROW(both(num_threads, fail, [] { return 0; }), std::runtime_error);
+    EXPECT_THROW(both(
+                     num_threads, [] { return 0; }, fail),
+                 std::runtime_error);
+  }
+}
+
+TEST(Parallel, TwoTasksShareTheThreads) {
+  EXPECT_EQ(half_of_threads(0), 0);  // all
+  EXPECT_EQ(half_of_threads(1), 1);
+  EXPECT_EQ(half_of_threads(2), 1);
+  EXPECT_EQ(half_of_threads(5), 2);
 }
 
 TEST(Parallel, MoreThreadsThanThereAreIsSilent) {

@@ -149,7 +149,7 @@ PairChi2 chi2_of_pairs(const PosedPairs& posed, const InformationModel& informat
       }
     });
   };
-  for_each_block(posed.size(), num_threads, write_chi2, kLightBlockSize);
+  for_each_block(posed.size(), num_threads, write_chi2);
   return chi2;
 }
 

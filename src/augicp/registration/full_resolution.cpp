@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/parallel.h"
 #include "augicp/match/ray_spacing.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/registration/start/rivals.h"
@@ -53,6 +54,15 @@ FreeDirections free_of(const AlignResult& result) {
   return {result.observability, static_cast<int>(result.free_motions.size())};
 }
 
+using Matchers = std::pair<std::unique_ptr<ScanMatcher>, std::unique_ptr<ScanMatcher>>;
+
+Matchers matchers_of(const ScanPair& pair, const RegistrationOptions& options) {
+  const bool projective = is_projective(pair.target, options.association);
+  return both(
+      options.num_threads, [&] { return matcher_for(pair.target, projective, pair.lengths); },
+      [&] { return matcher_of_source(pair); });
+}
+
 // The same directions, those that are free first; else in their order.
 FreeDirections free_first(const Observability& seen, const std::vector<bool>& is_free) {
   std::vector<Eigen::Index> order(6);
@@ -71,13 +81,17 @@ FreeDirections free_first(const Observability& seen, const std::vector<bool>& is
 
 FullResolution::FullResolution(const ScanPair& pair, const Guess& guess_target_from_source,
                                const RegistrationOptions& options)
+    : FullResolution(pair, guess_target_from_source, options, matchers_of(pair, options)) {}
+
+FullResolution::FullResolution(const ScanPair& pair, const Guess& guess_target_from_source,
+                               const RegistrationOptions& options, Matchers matchers)
     : pair_(pair),
       guess_target_from_source_(guess_target_from_source),
       is_paper_(options.preset == Preset::Paper),
       align_by_(align_options(pair.lengths, is_projective(pair.target, options.association), options)),
       on_stage_(options.on_stage),
-      matcher_(matcher_for(pair.target, is_projective(pair.target, options.association), pair.lengths)),
-      judge_(pair, *matcher_, guess_target_from_source, align_by_) {}
+      matcher_(std::move(matchers.first)),
+      judge_(pair, *matcher_, guess_target_from_source, align_by_, std::move(matchers.second)) {}
 
 AlignResult FullResolution::aligned(const Rigid3& start, const std::optional<FreeDirections>& free) const {
   AlignOptions options = align_by_;

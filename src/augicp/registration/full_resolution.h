@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "augicp/registration/judge.h"
 #include "augicp/registration/options.h"
@@ -31,6 +32,10 @@ class FullResolution {
   bool is_promising(const Rigid3& target_from_source) const;
 
  private:
+  using Matchers = std::pair<std::unique_ptr<ScanMatcher>, std::unique_ptr<ScanMatcher>>;  // of target and source
+  FullResolution(const ScanPair& pair, const Guess& guess_target_from_source, const RegistrationOptions& options,
+                 Matchers matchers);
+
   double doubtful_information(const AlignResult& result) const;
   bool is_doubtful(const AlignResult& result) const;
   bool can_be_asked(const AlignResult& result) const;

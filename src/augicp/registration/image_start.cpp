@@ -84,7 +84,7 @@ AlignResult from_start_of_images(const ScanPair& pair, const StartInTurn& start_
   Start start{start_in_turn.target_from_source, guess, {}, start_in_turn.turn};
   const bool begins_coarse = options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
   const auto improved_start = [&] {
-    improve(coarser(pair, kCoarseColumns, 1.0), bends(pair, options), options, start);
+    improve(coarser(pair, kCoarseColumns, 1.0, options.num_threads), bends(pair, options), options, start);
     return start;
   };
   if (bends(pair, options) || begins_coarse)

@@ -2,11 +2,14 @@
 #include "augicp/registration/judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/median.h"
+#include "augicp/core/parallel.h"
 #include "augicp/sensor/image_noise.h"
 #include "augicp/trust/beyond_planes.h"
 #include "augicp/trust/contradiction.h"
@@ -77,6 +80,10 @@ std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, cons
   return std::make_unique<NearestMatcher>(scan.cloud, sights_of(scan, lengths));
 }
 
+std::unique_ptr<ScanMatcher> matcher_of_source(const ScanPair& pair) {
+  return matcher_for(pair.source, pair.source.view.has_value(), pair.lengths);
+}
+
 std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths) {
   if (scan.view) return scan.cloud.viewpoint;
   const auto seen = sights_of(scan, lengths);
@@ -85,7 +92,7 @@ std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths) {
 }
 
 Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::optional<Rigid3>& guess_target_from_source,
-             const AlignOptions& options)
+             const AlignOptions& options, std::unique_ptr<ScanMatcher> source_says)
     : pair_(pair),
       matcher_(matcher),
       guess_target_from_source_(guess_target_from_source),
@@ -95,7 +102,7 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
       of_source_(witnesses(pair.source.cloud)),
       of_target_(witnesses(pair.target.cloud)),
       target_says_(pair.target.view ? matcher_for(pair.target, true, pair.lengths) : nullptr),
-      source_says_(matcher_for(pair.source, pair.source.view.has_value(), pair.lengths)) {
+      source_says_(source_says ? std::move(source_says) : matcher_of_source(pair)) {
   const bool know_free_space =
       (target_says_ ? *target_says_ : matcher_).knows_free_space() && source_says_->knows_free_space();
   // A pose that is found without a guess is far from it.
@@ -104,46 +111,59 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
   on_planes_of_target_ = on_large_planes(of_target_, kDistancePerRadius * pair.lengths.radius);
 }
 
+Judge::Side Judge::source_in_target() const {
+  return {of_source_, on_planes_of_source_, target_says_ ? *target_says_ : matcher_, on_target_};
+}
+
+Judge::Side Judge::target_in_source() const { return {of_target_, on_planes_of_target_, *source_says_, on_source_}; }
+
 std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) const {
-  const int num_threads = options_.num_threads;
-  const ScanMatcher& in_target = target_says_ ? *target_says_ : matcher_;
-  std::vector<PointAgreement> of_point = in_target.agreements(of_source_, target_from_source, on_target_, num_threads);
-  const auto back = source_says_->agreements(of_target_, inverse(target_from_source), on_source_, num_threads);
+  const int num_threads = options_.num_threads, half = half_of_threads(num_threads);
+  const auto said = [&](const Side& side, const Rigid3& pose) {
+    return side.other.agreements(side.asked, pose, side.on_other, half);
+  };
+  auto [of_point, back] = both(
+      num_threads, [&] { return said(source_in_target(), target_from_source); },
+      [&] { return said(target_in_source(), inverse(target_from_source)); });
   of_point.insert(of_point.end(), back.begin(), back.end());
   return of_point;
 }
 
-Evidence Judge::evidence(const Rigid3& target_from_source) const {
-  const ScanMatcher& in_target = target_says_ ? *target_says_ : matcher_;
-  const auto of_point = agreements(target_from_source);
-  const auto of_source = std::span(of_point).first(of_source_.size());
-  const auto of_target = std::span(of_point).subspan(of_source_.size());
-  Evidence evidence;
-  evidence.known_part = pair_.known_part;
-  evidence.source_in_target = {counted(of_source), in_target.knows_free_space()};
-  evidence.target_in_source = {counted(of_target), source_says_->knows_free_space()};
-  const double radius = pair_.lengths.radius;
-  if (!in_target.knows_free_space())
-    evidence.source_in_target.contradicting =
-        contradicting_share(of_source_, of_source, {of_target_, target_from_source, radius});
-  if (!source_says_->knows_free_space())
-    evidence.target_in_source.contradicting =
-        contradicting_share(of_target_, of_target, {of_source_, inverse(target_from_source), radius});
-  evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, target_from_source)
-                                             : kMovedFromAnywhere;
-  if (!on_planes_of_source_.empty()) {
-    evidence.source_in_target.off_planes = agreement_off_planes(of_source, on_planes_of_source_);
-    evidence.target_in_source.off_planes = agreement_off_planes(of_target, on_planes_of_target_);
-  } else if (evidence.moved > VerdictLimits{}.max_moved_near_guess) {
-    // Far from the guess planes are asked about also if the free space is known: those of another room fit, too.
-    const double distance = kDistancePerRadius * radius;
-    evidence.source_in_target.off_planes = agreement_off_planes(of_source, on_large_planes(of_source_, distance));
-    evidence.target_in_source.off_planes = agreement_off_planes(of_target, on_large_planes(of_target_, distance));
-  }
-  const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, options_.num_threads);
+Testimony Judge::testimony(const Side& side, const PosedCloud& other, bool is_far_from_guess, int num_threads) const {
+  const auto of_point = side.other.agreements(side.asked, other.this_from_asked, side.on_other, num_threads);
+  Testimony testimony{counted(of_point), side.other.knows_free_space()};
+  if (!testimony.knows_free_space) testimony.contradicting = contradicting_share(side.asked, of_point, other);
+  if (!on_planes_of_source_.empty())
+    testimony.off_planes = agreement_off_planes(of_point, side.on_planes);
+  else if (is_far_from_guess)  // planes are asked about also if the free space is known: those of another room fit, too
+    testimony.off_planes =
+        agreement_off_planes(of_point, on_large_planes(side.asked, kDistancePerRadius * other.radius));
+  return testimony;
+}
+
+void Judge::ask_pairs(const Rigid3& target_from_source, int num_threads, Evidence& evidence) const {
+  const auto pairs = matcher_.match(of_source_, target_from_source, options_.gates, num_threads);
   const PosedPairs posed{of_source_, pair_.target.cloud, pairs, target_from_source};
   evidence.residuals = residuals(posed);
   evidence.beyond_planes = share_beyond_planes(pair_.target.cloud, agreeing_points(posed, on_target_), on_target_);
+}
+
+Evidence Judge::evidence(const Rigid3& target_from_source) const {
+  const int num_threads = options_.num_threads, half = half_of_threads(num_threads);
+  const double radius = pair_.lengths.radius;
+  Evidence evidence;
+  evidence.known_part = pair_.known_part;
+  evidence.moved = guess_target_from_source_ ? moved(of_source_, *guess_target_from_source_, target_from_source)
+                                             : kMovedFromAnywhere;
+  const bool is_far = evidence.moved > VerdictLimits{}.max_moved_near_guess;
+  const PosedCloud target{of_target_, target_from_source, radius},
+      source{of_source_, inverse(target_from_source), radius};
+  const std::array<std::function<void()>, 3> tasks{
+      [&] { ask_pairs(target_from_source, half, evidence); },  // the longest first
+      [&] { evidence.source_in_target = testimony(source_in_target(), target, is_far, half); },
+      [&] { evidence.target_in_source = testimony(target_in_source(), source, is_far, half); }};
+  for_each_block(
+      tasks.size(), num_threads, [&](std::size_t task, std::size_t) { tasks[task](); }, 1);
   return evidence;
 }
 

@@ -7,6 +7,7 @@
 #include "augicp/align/align.h"
 #include "augicp/match/matcher.h"
 #include "augicp/registration/prepared_pair.h"
+#include "augicp/trust/contradiction.h"
 
 namespace augicp {
 
@@ -16,6 +17,9 @@ std::unique_ptr<ScanMatcher> matcher_for(const Scan& scan, bool projective, cons
 
 // The place of a cloud's sensor, or of a depth image's camera, if it is known; relative to the cloud's origin.
 std::optional<Vec3f> sensor_place(const Scan& scan, const Lengths& lengths);
+
+// What a judge compares the target with.
+std::unique_ptr<ScanMatcher> matcher_of_source(const ScanPair& pair);
 
 // How far from a scan's surface a point of the other still is on it. Depth images are measured: a noisy one allows
 // more.
@@ -30,8 +34,9 @@ AgreementTolerance tolerance_of(const Scan& scan, const Lengths& lengths);
 class Judge {
  public:
   // matcher: of the target, as it is registered with. guess: where the search for the pose began; not set: anywhere.
+  // source_says: that of matcher_of_source(); null: it is made.
   Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::optional<Rigid3>& guess_target_from_source,
-        const AlignOptions& options);
+        const AlignOptions& options, std::unique_ptr<ScanMatcher> source_says = nullptr);
 
   // Under a pose between the scans' points.
   Evidence evidence(const Rigid3& target_from_source) const;
@@ -44,6 +49,21 @@ class Judge {
   AlignResult judged(AlignResult result) const;
 
  private:
+  // Points of one scan, and what compares them with the other.
+  struct Side {
+    const Cloud& asked;
+    const std::vector<bool>& on_planes;  // of the asked ones; may be empty
+    const ScanMatcher& other;
+    const AgreementTolerance& on_other;
+  };
+  Side source_in_target() const;
+  Side target_in_source() const;
+  // other: where the compared points of the other scan lie.
+  Testimony testimony(const Side& side, const PosedCloud& other, bool is_far_from_guess, int num_threads) const;
+
+  // Fills in the part of the evidence that is about correspondences.
+  void ask_pairs(const Rigid3& target_from_source, int num_threads, Evidence& evidence) const;
+
   ScanPair pair_;
   const ScanMatcher& matcher_;
   std::optional<Rigid3> guess_target_from_source_;

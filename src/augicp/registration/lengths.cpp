@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "augicp/core/median.h"
+#include "augicp/core/parallel.h"
 
 namespace augicp {
 namespace {
@@ -93,9 +94,11 @@ Lengths finer_lengths(Lengths lengths, double share) {
   return lengths;
 }
 
-Lengths derive_lengths(const Scan& source, const Scan& target) {
+Lengths derive_lengths(const Scan& source, const Scan& target, int num_threads) {
+  const auto [of_source, of_target] = both(
+      num_threads, [&] { return robust_extent(source); }, [&] { return robust_extent(target); });
   Lengths lengths;
-  lengths.extent = std::sqrt(robust_extent(source) * robust_extent(target));
+  lengths.extent = std::sqrt(of_source * of_target);
   lengths.radius = kRadiusPerExtent * lengths.extent;
   lengths.voxel_size = voxel_size_for(lengths.radius);
   lengths.max_distance = kGatePerExtent * lengths.extent;

@@ -32,6 +32,6 @@ double feasible_voxel(const Cloud& cloud, double voxel_size);
 Lengths finer_lengths(Lengths lengths, double share);
 
 // From the geometric mean of both extents, so that swapping the clouds changes nothing.
-Lengths derive_lengths(const Scan& source, const Scan& target);
+Lengths derive_lengths(const Scan& source, const Scan& target, int num_threads = 1);
 
 }  // namespace augicp

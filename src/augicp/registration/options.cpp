@@ -86,11 +86,11 @@ RegistrationOptions iterations_alone() {
 }
 
 Lengths lengths_for(const Scan& source, const Scan& target, const RegistrationOptions& options) {
-  Lengths lengths = derive_lengths(source, target);
+  Lengths lengths = derive_lengths(source, target, options.num_threads);
   if (options.radius)
     lengths.radius = *options.radius;
   else if (options.voxel_size)
-    lengths.radius = radius_for(*options.voxel_size, source, target, lengths);
+    lengths.radius = radius_for(*options.voxel_size, source, target, lengths, options.num_threads);
   lengths.voxel_size = options.voxel_size.value_or(voxel_size_for(lengths.radius));
   lengths.max_distance = options.max_distance.value_or(lengths.max_distance);
   return lengths;

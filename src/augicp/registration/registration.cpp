@@ -162,8 +162,8 @@ PreparedPair prepare_pair(Scan source, Scan target, const RegistrationOptions& o
 }
 
 PreparedPair prepare_both(RawPair raw, const Lengths& lengths, const RegistrationOptions& options) {
-  RegistrationOptions of_half = options;  // of the threads
-  if (options.num_threads > 1) of_half.num_threads = options.num_threads / 2;
+  RegistrationOptions of_half = options;
+  of_half.num_threads = half_of_threads(options.num_threads);
   std::array<Scan, 2> scans{std::move(raw.source), std::move(raw.target)};
   std::array<ThinnedScan, 2> few;
   const auto thin_one = [&](std::size_t k, std::size_t) { few[k] = thinned(std::move(scans[k]), lengths, of_half); };

@@ -2,7 +2,9 @@
 #include "augicp/registration/scan_match.h"
 
 #include <stdexcept>
+#include <tuple>
 
+#include "augicp/core/parallel.h"
 #include "augicp/registration/judge.h"
 #include "augicp/registration/start/hypotheses.h"
 
@@ -27,12 +29,13 @@ bool is_projective(const Scan& target, Association association) {
   return target.view && association != Association::Nearest;
 }
 
-ScanMatch::ScanMatch(const ScanPair& pair, const RegistrationOptions& options)
-    : scans_(pair),
-      options_(options),
-      in_target_(matcher_for(pair.target, is_projective(pair.target, options.association), pair.lengths)),
-      in_source_(
-          matcher_for(pair.source, pair.source.view && options.association != Association::Nearest, pair.lengths)) {}
+ScanMatch::ScanMatch(const ScanPair& pair, const RegistrationOptions& options) : scans_(pair), options_(options) {
+  const bool in_image = is_projective(pair.target, options.association),
+             back_in_image = pair.source.view && options.association != Association::Nearest;
+  std::tie(in_target_, in_source_) = both(
+      options.num_threads, [&] { return matcher_for(pair.target, in_image, pair.lengths); },
+      [&] { return matcher_for(pair.source, back_in_image, pair.lengths); });
+}
 
 AlignOptions ScanMatch::usual_options() const {
   AlignOptions options = align_options(scans_.lengths, is_projective(scans_.target, options_.association), options_);
@@ -50,8 +53,11 @@ double ScanMatch::plausibility(const Rigid3& target_from_source, int num_threads
   const Association back = source.view ? options_.association : Association::Nearest;
   const AgreementTolerance in_target = tolerance_for(target, scans_.lengths, options_.association),
                            in_source = tolerance_for(source, scans_.lengths, back);
-  Agreement agreement = in_target_->agreement(source.cloud, target_from_source, in_target, num_threads);
-  agreement += in_source_->agreement(target.cloud, inverse(target_from_source), in_source, num_threads);
+  const int half = half_of_threads(num_threads);
+  auto [agreement, of_target] = both(
+      num_threads, [&] { return in_target_->agreement(source.cloud, target_from_source, in_target, half); },
+      [&] { return in_source_->agreement(target.cloud, inverse(target_from_source), in_source, half); });
+  agreement += of_target;
   return augicp::plausibility(agreement);
 }
 

@@ -2,8 +2,10 @@
 #include "augicp/registration/thin_scan.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "augicp/cloud/voxel_grid.h"
+#include "augicp/core/parallel.h"
 
 namespace augicp {
 
@@ -32,9 +34,11 @@ Scan coarser(const Scan& scan, int num_columns, double voxels, const Lengths& le
           scan.place_is_known};
 }
 
-PreparedPair coarser(const ScanPair& pair, int num_columns, double voxels) {
-  return {coarser(pair.source, num_columns, voxels, pair.lengths),
-          coarser(pair.target, num_columns, voxels, pair.lengths), pair.lengths};
+PreparedPair coarser(const ScanPair& pair, int num_columns, double voxels, int num_threads) {
+  auto [source, target] = both(
+      num_threads, [&] { return coarser(pair.source, num_columns, voxels, pair.lengths); },
+      [&] { return coarser(pair.target, num_columns, voxels, pair.lengths); });
+  return {std::move(source), std::move(target), pair.lengths};
 }
 
 }  // namespace augicp

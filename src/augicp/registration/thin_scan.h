@@ -17,6 +17,6 @@ int step_for(const Scan& scan, int num_columns);
 Scan coarser(const Scan& scan, int num_columns, double voxels, const Lengths& lengths);
 
 // Both scans.
-PreparedPair coarser(const ScanPair& pair, int num_columns, double voxels);
+PreparedPair coarser(const ScanPair& pair, int num_columns, double voxels, int num_threads);
 
 }  // namespace augicp

@@ -69,11 +69,13 @@ Mat6d curvature(const Matcher& matcher, const Solution& solution, const Mat6d& d
     for (const double sign : {1.0, -1.0}) poses.push_back(retract(minimum, sign * step * directions.col(k)));
   const auto pairs = matcher.match_each(asked, poses, solution.gates, num_threads);
   const auto gradient = [&](std::size_t k) -> Vec6d {
-    return linearize({asked, matcher.target(), pairs[k], poses[k]}, solution.objective, num_threads).b;
+    return linearize({asked, matcher.target(), pairs[k], poses[k]}, solution.objective, 1).b;
   };
   Mat6d changes;
-  for (std::size_t k = 0; k < 6; ++k)
+  const auto change_along = [&](std::size_t k, std::size_t) {
     changes.col(static_cast<Eigen::Index>(k)) = (gradient(2 * k) - gradient(2 * k + 1)) / (2.0 * step);
+  };
+  for_each_block(6, num_threads, change_along, 1);
   const double points_per_asked = static_cast<double>(source.size()) / static_cast<double>(asked.size());
   const Mat6d along = 0.5 * points_per_asked * (directions.transpose() * changes + changes.transpose() * directions);
   const Mat6d back = directions.inverse();

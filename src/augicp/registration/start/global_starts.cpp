@@ -61,7 +61,7 @@ std::vector<Rigid3> most_plausible(const ScanMatch& match, std::span<const Rigid
 std::vector<Rigid3> best_on(const Level& level, const ScanPair& pair, std::span<const Rigid3> starts,
                             const RegistrationOptions& options) {
   throw_if_stopped(options.stop);
-  const PreparedPair scans = coarser(pair, level.num_columns, level.voxels);
+  const PreparedPair scans = coarser(pair, level.num_columns, level.voxels, options.num_threads);
   const ScanMatch match(scans, options);
   const std::vector<Rigid3> kept = most_plausible(match, starts, options.num_threads);
   const AlignOptions by = led_on_by(level, match, pair.lengths);

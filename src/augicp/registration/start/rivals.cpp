@@ -123,7 +123,7 @@ Mat3d scene_axes(const Cloud& cloud) {
 
 std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_target_from_source,
                                   const RegistrationOptions& options) {
-  const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels);
+  const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels, options.num_threads);
   const ScanMatch match(coarse, options);
   AlignOptions by = match.usual_options();
   const double least = match.plausibility(found_target_from_source, options.num_threads) - kLessPlausible;

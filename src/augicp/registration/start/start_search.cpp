@@ -119,12 +119,12 @@ std::vector<Hypothesis> coarse_hypotheses(const ScanMatch& coarse, const Rigid3&
 
 std::vector<Rigid3> search_starts(const ScanPair& pair, const Rigid3& guess_target_from_source,
                                   const RegistrationOptions& options) {
-  const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels);
+  const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels, options.num_threads);
   const std::vector<Hypothesis> candidates =
       best_of(coarse_hypotheses(ScanMatch(coarse, options), guess_target_from_source, options), kMaxCandidates,
               pair.lengths.radius, kSameAngle);
   if (candidates.empty()) return {guess_target_from_source};
-  const PreparedPair scans = coarser(pair, kMiddleColumns, kMiddleVoxels);
+  const PreparedPair scans = coarser(pair, kMiddleColumns, kMiddleVoxels, options.num_threads);
   const ScanMatch middle(scans, options);
   AlignOptions by = middle.usual_options();
   by.max_iterations = kMiddleIterations;
