@@ -92,12 +92,13 @@ struct Part {
   Box box;
 };
 
-// Two parts, split at the median of the longest side, for more items than a leaf. Equal points are split by index, so
-// that a query finds them in few leaves.
-std::array<Part, 2> halved(const Part& whole) {
-  if (whole.items.size() <= KdLeaf::kPoints) return {whole, Part{}};
-  const std::size_t num_leaves = (whole.items.size() + KdLeaf::kPoints - 1) / KdLeaf::kPoints;
-  const std::size_t middle = (num_leaves + 1) / 2 * KdLeaf::kPoints;
+std::size_t num_leaves(Items items) { return (items.size() + KdLeaf::kPoints - 1) / KdLeaf::kPoints; }
+
+// Two parts of about the same number of full children, split along the longest side. Equal points are split by index,
+// so that a query finds them in few leaves. REQUIRES: more points than a child has.
+std::array<Part, 2> halved(const Part& whole, std::size_t leaves_per_child) {
+  const std::size_t num_children = (num_leaves(whole.items) + leaves_per_child - 1) / leaves_per_child;
+  const std::size_t middle = (num_children + 1) / 2 * leaves_per_child * KdLeaf::kPoints;
   const int axis = whole.box.longest_axis();
   if (whole.box.min[axis] < whole.box.max[axis])
     halve(whole.items, middle, axis);
@@ -112,31 +113,47 @@ class Builder {
  public:
   explicit Builder(std::size_t num_points) {
     built_.leaves.reserve((num_points + KdLeaf::kPoints - 1) / KdLeaf::kPoints);
-    built_.nodes.reserve(built_.leaves.capacity() / 2 + 1);
+    built_.nodes.reserve(built_.leaves.capacity() / (KdNode::kChildren - 1) + 1);
   }
 
   std::uint32_t add_node(const Part& whole) {
     const auto place = static_cast<std::uint32_t>(built_.nodes.size());
-    built_.nodes.emplace_back();
-    const auto [low, high] = halved(whole);
-    const auto [first, second] = halved(low);
-    const auto [third, fourth] = halved(high);
-    std::size_t slot = 0;
-    for (const Part& child : {first, second, third, fourth}) set_child(place, slot++, child);
+    built_.nodes.push_back(kEmpty);
+    std::size_t leaves_per_child = 1;  // all children are full except the last one
+    while (leaves_per_child * KdNode::kChildren < num_leaves(whole.items)) leaves_per_child *= KdNode::kChildren;
+    add_children(place, 0, whole, leaves_per_child);
     return place;
   }
 
   KdNodes take() { return std::move(built_); }
 
  private:
+  static constexpr KdNode kEmpty = [] {
+    KdNode node{};
+    for (ManyFloats* side : {&node.min_x, &node.min_y, &node.min_z, &node.max_x, &node.max_y, &node.max_z})
+      side->fill(kInfinity);
+    node.least_index.fill(kNoIndex);
+    return node;
+  }();
+
+  // Adds the children of a part of a node, from a slot on, and returns the slot behind them.
+  std::size_t add_children(std::uint32_t node, std::size_t slot, const Part& part, std::size_t leaves_per_child) {
+    if (num_leaves(part.items) <= leaves_per_child) {
+      set_child(node, slot, part);
+      return slot + 1;
+    }
+    for (const Part& half : halved(part, leaves_per_child)) slot = add_children(node, slot, half, leaves_per_child);
+    return slot;
+  }
+
   void set_child(std::uint32_t node, std::size_t slot, const Part& part) {
-    std::uint32_t least_index = kNoIndex, child = 0;
+    std::uint32_t least_index = kNoIndex;
     for (const Item& item : part.items) least_index = std::min(least_index, index_of(item));
-    if (!part.items.empty()) child = part.items.size() <= KdLeaf::kPoints ? add_leaf(part.items) : add_node(part);
+    const std::uint32_t child = part.items.size() <= KdLeaf::kPoints ? add_leaf(part.items) : add_node(part);
     KdNode& parent = built_.nodes[node];
-    const Box box = part.items.empty() ? Box{FourFloats{} + kInfinity, FourFloats{} + kInfinity} : part.box;
-    parent.min_x[slot] = box.min[0], parent.min_y[slot] = box.min[1], parent.min_z[slot] = box.min[2];
-    parent.max_x[slot] = box.max[0], parent.max_y[slot] = box.max[1], parent.max_z[slot] = box.max[2];
+    parent.min_x[slot] = part.box.min[0], parent.max_x[slot] = part.box.max[0];
+    parent.min_y[slot] = part.box.min[1], parent.max_y[slot] = part.box.max[1];
+    parent.min_z[slot] = part.box.min[2], parent.max_z[slot] = part.box.max[2];
     parent.least_index[slot] = least_index;
     parent.child[slot] = child;
   }
@@ -146,7 +163,7 @@ class Builder {
     for (std::size_t k = 0; k < KdLeaf::kPoints; ++k) {
       const bool is_here = k < items.size();
       const Item item = is_here ? items[k] : FourFloats{} + kInfinity;
-      leaf.x[k / 4][k % 4] = item[0], leaf.y[k / 4][k % 4] = item[1], leaf.z[k / 4][k % 4] = item[2];
+      leaf.x[k] = item[0], leaf.y[k] = item[1], leaf.z[k] = item[2];
       leaf.index[k] = is_here ? index_of(item) : kNoIndex;
     }
     return static_cast<std::uint32_t>(built_.leaves.size() - 1) | KdNode::kIsLeaf;
