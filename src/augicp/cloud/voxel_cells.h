@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "augicp/cloud/cloud.h"
 
@@ -25,6 +26,7 @@ inline std::uint64_t spread_bits(std::uint64_t x) {
 inline constexpr int kPartBits = 30;
 inline constexpr std::int64_t kParts = std::int64_t{1} << kPartBits;
 using Parts = std::array<std::int64_t, 3>;
+inline constexpr double kMaxPart = kMaxCells * static_cast<double>(kParts) - 1.0;
 
 class VoxelCells {
  public:
@@ -34,10 +36,14 @@ class VoxelCells {
     // Offsets from the minimum are never negative, so truncation equals floor.
     const auto axis = [&](int k) {
       const double parts = (static_cast<double>(point[k]) - min_[k]) * parts_per_metre_;
-      return static_cast<std::int64_t>(std::min(parts, kMaxCells * kParts - 1.0));
+      return static_cast<std::int64_t>(std::min(parts, kMaxPart));
     };
     return {axis(0), axis(1), axis(2)};
   }
+
+  // Of several points at once.
+  void write_parts(std::span<const Vec3f> points, std::span<Parts> written) const;
+
   Vec3d place(const Vec3d& parts) const { return min_ + parts / parts_per_metre_; }
 
  private:

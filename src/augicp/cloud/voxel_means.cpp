@@ -2,7 +2,9 @@
 #include "augicp/cloud/voxel_means.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "augicp/cloud/voxel_table.h"
@@ -12,6 +14,8 @@ namespace {
 
 // Their sums and the table fit into the cache of a core.
 constexpr std::size_t kFewVoxels = std::size_t{1} << 14;
+
+constexpr std::size_t kPointsAtOnce = 128;
 
 struct Voxel {
   Parts corner, sum;  // sum: from the corner
@@ -32,8 +36,12 @@ Vec3f mean_of(const Voxel& voxel, const Cloud& cloud, const VoxelCells& cells) {
 std::optional<std::vector<Vec3f>> few_voxel_means(const Cloud& cloud, const VoxelCells& cells) {
   VoxelTable table;
   std::vector<Voxel> voxels;
+  std::array<Parts, kPointsAtOnce> block;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    const Parts parts = cells.parts(cloud.points[i]);
+    if (i % kPointsAtOnce == 0)
+      cells.write_parts(std::span(cloud.points).subspan(i, std::min<std::size_t>(kPointsAtOnce, cloud.size() - i)),
+                        block);
+    const Parts& parts = block[i % kPointsAtOnce];
     const std::size_t number = table.number_of(packed_key(parts));
     if (number == voxels.size()) {
       if (number == kFewVoxels) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "augicp/match/cube_cells.h"
@@ -22,9 +23,14 @@ constexpr int kMinCellsPerEdge = 8, kMaxCellsPerEdge = 256;
 constexpr double kMaxShareBehind = 0.01;
 
 std::size_t num_occupied(const std::vector<FacePoint>& points, int cells_per_edge) {
-  std::vector<char> is_occupied(num_cube_cells(cells_per_edge));
-  for (const FacePoint& at : points) is_occupied[cell_of(at, cells_per_edge)] = 1;
-  return static_cast<std::size_t>(std::count(is_occupied.begin(), is_occupied.end(), 1));
+  std::vector<std::uint8_t> is_occupied(num_cube_cells(cells_per_edge));
+  std::size_t count = 0;
+  for (const FacePoint& at : points) {
+    std::uint8_t& occupied = is_occupied[cell_of(at, cells_per_edge)];
+    count += 1U - occupied;
+    occupied = 1;
+  }
+  return count;
 }
 
 int cells_for(const std::vector<FacePoint>& points) {

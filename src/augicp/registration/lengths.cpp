@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -40,20 +41,19 @@ Bracket likely_bracket(const std::vector<float>& values, std::size_t rank) {
 }
 
 // Selecting within a bracket takes a fraction of the time of selecting among all values. REQUIRES: no value is NaN.
-float quantile(std::vector<float> values, double share) {
+float quantile(const std::vector<float>& values, double share) {
   const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  if (values.size() < kMinValues) return value_at_rank(std::move(values), rank);
+  if (values.size() < kMinValues) return value_at_rank(values, rank);
   const auto [low, high] = likely_bracket(values, rank);
-  std::vector<float> within(values.size());
+  const auto within = std::make_unique_for_overwrite<float[]>(values.size());
   std::size_t num_below = 0, num_within = 0;
   for (const float value : values) {  // no branch: it would be unpredictable
     within[num_within] = value;
     num_below += value < low ? 1 : 0;
     num_within += value >= low && value <= high ? 1 : 0;
   }
-  if (rank < num_below || rank >= num_below + num_within) return value_at_rank(std::move(values), rank);
-  within.resize(num_within);
-  return value_at_rank(std::move(within), rank - num_below);
+  if (rank < num_below || rank >= num_below + num_within) return value_at_rank(values, rank);
+  return value_at_rank(std::vector<float>(within.get(), within.get() + num_within), rank - num_below);
 }
 
 std::vector<float> distances_from(const Vec3f& centre, const Cloud& cloud) {

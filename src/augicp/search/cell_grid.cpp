@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
+#include <numeric>
+#include <optional>
+#include <tuple>
 
 #include "augicp/core/check.h"
 
@@ -27,22 +29,57 @@ std::int64_t place_of(float coordinate, double cell) {
   return kApart * std::bit_cast<std::int32_t>(coordinate);
 }
 
+using Place = std::array<std::int64_t, 3>;
+
+// A point and its place as one number, for places in a small enough box: sorted in a fraction of the time.
+constexpr int kAxisBits = 14, kIndexBits = 64 - 3 * kAxisBits;
+
+std::optional<std::vector<std::uint64_t>> packed(const std::vector<Place>& places) {
+  constexpr std::int64_t kMaxCells = std::int64_t{1} << kAxisBits;
+  if (places.empty() || places.size() > std::size_t{1} << kIndexBits) return std::nullopt;
+  Place low = places.front(), high = low;
+  for (const Place& place : places)
+    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], place[k]), high[k] = std::max(high[k], place[k]);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (high[k] - low[k] >= kMaxCells) return std::nullopt;
+  std::vector<std::uint64_t> numbers(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      numbers[i] = numbers[i] << kAxisBits | static_cast<std::uint64_t>(places[i][k] - low[k]);
+    numbers[i] = numbers[i] << kIndexBits | i;
+  }
+  return numbers;
+}
+
+// The points by their places; those of one place in ascending order.
+std::vector<std::uint32_t> sorted_by_place(const std::vector<Place>& places) {
+  std::vector<std::uint32_t> order(places.size());
+  if (auto numbers = packed(places)) {
+    std::sort(numbers->begin(), numbers->end());
+    constexpr std::uint64_t kIndex = (std::uint64_t{1} << kIndexBits) - 1;
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::uint32_t>((*numbers)[k] & kIndex);
+    return order;
+  }
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::tie(places[a], a) < std::tie(places[b], b); });
+  return order;
+}
+
 }  // namespace
 
 CellGrid::CellGrid(const Cloud& cloud, double distance) {
   require_positive("distance", distance);
   const double cell = kCellPerDistance * distance;
-  std::vector<std::pair<Place, std::uint32_t>> placed(cloud.size());
-  for (std::uint32_t i = 0; i < placed.size(); ++i) {
+  std::vector<Place> places(cloud.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
     const Vec3f& point = cloud.points[i];
-    placed[i] = {{place_of(point.x(), cell), place_of(point.y(), cell), place_of(point.z(), cell)}, i};
+    places[i] = {place_of(point.x(), cell), place_of(point.y(), cell), place_of(point.z(), cell)};
   }
-  std::sort(placed.begin(), placed.end());
-  points_.reserve(placed.size());
-  for (const auto& [place, point] : placed) {
-    if (cells_.empty() || cells_.back().place != place) cells_.push_back({place, points_.size()});
-    points_.push_back(point);
-  }
+  points_ = sorted_by_place(places);
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (const Place& place = places[points_[k]]; cells_.empty() || cells_.back().place != place)
+      cells_.push_back({place, k});
 }
 
 std::span<const std::uint32_t> CellGrid::points_of(std::size_t cell) const {
