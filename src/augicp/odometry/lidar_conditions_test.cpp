@@ -92,7 +92,7 @@ TEST(LidarConditions, StartingWhileTurning) {
 
 // Root mean square of how far the points of the last sweep, straightened with the motion found, are from where the true
 // motion puts them at that moment.
-double straightening_error(const Drive& drive, PoseInstant pose_at = PoseInstant::Middle) {
+double straightening_error(const Drive& drive, const FrameReport& report, PoseInstant pose_at) {
   const int last = drive.sweeps.back();
   const double begin_s = last * kSweep_s;
   const synthetic::Sweep sweep =
@@ -102,7 +102,6 @@ double straightening_error(const Drive& drive, PoseInstant pose_at = PoseInstant
                           : pose_at == PoseInstant::End ? last_s
                                                         : 0.5 * (first_s + last_s);
   const Cloud expected = synthetic::straightened(sweep, drive.motion, begin_s, moment_s);
-  const FrameReport report = tracked(drive).back();
   if (!report.motion) return std::numeric_limits<double>::infinity();
   const Cloud straight = deskewed(sweep.cloud, shares_from_times(sweep.times_s), report, pose_at, 1);
   double sum_sq = 0.0;
@@ -113,17 +112,20 @@ double straightening_error(const Drive& drive, PoseInstant pose_at = PoseInstant
 
 // 15 m/s and 90 degrees a second, along a line and on an arc. They move points by more than half a metre.
 TEST(LidarConditions, SweepsOfFastTurnsAreStraightenedToACentimetre) {
-  const Motion on_an_arc = [](double time_s) {
+  const Rigid3 start = street().scene.world_from_camera;
+  const Motion on_an_arc = [&](double time_s) {
     const double rate = 0.5 * std::numbers::pi, radius = 15.0 / rate, angle = rate * time_s;
-    return street().scene.world_from_camera *
+    return start *
            Rigid3{rotation_exp({0.0, 0.0, angle}), {radius * std::sin(angle), radius * (1.0 - std::cos(angle)), 0.0}};
   };
   const Motion along_a_line = from_start({rotation_exp({0.0, 0.0, 0.5 * std::numbers::pi}), {15.0, 0.0, 0.0}});
-  EXPECT_LT(straightening_error({street(), along_a_line, first(8), {}}), 0.01);
+  const Drive line{street(), along_a_line, first(8), {}}, arc{street(), on_an_arc, first(4), {}};
+  const FrameReport on_the_line = tracked(line).back();
+  EXPECT_LT(straightening_error(line, on_the_line, PoseInstant::Middle), 0.01);
   // There the error of half a sweep's motion is added.
   for (const PoseInstant pose_at : {PoseInstant::Begin, PoseInstant::End})
-    EXPECT_LT(straightening_error({street(), along_a_line, first(8), {}}, pose_at), 0.02) << name_of(pose_at);
-  EXPECT_LT(straightening_error({street(), on_an_arc, first(4), {}}), 0.01);
+    EXPECT_LT(straightening_error(line, on_the_line, pose_at), 0.02) << name_of(pose_at);
+  EXPECT_LT(straightening_error(arc, tracked(arc).back(), PoseInstant::Middle), 0.01);
 }
 
 // One reading of the second and of the fifth sweep is farther than a grid of voxels has cells for.
@@ -143,9 +145,10 @@ TEST(LidarConditions, ReadingsAtImpossibleRangesChangeNothing) {
 
 // It stands for a second, and starts with 4 m/s^2.
 TEST(LidarConditions, StartingFromStandstill) {
-  const Motion motion = [](double time_s) {
+  const Rigid3 start = street().scene.world_from_camera;
+  const Motion motion = [&](double time_s) {
     const double t = std::max(0.0, time_s - 1.0);
-    return street().scene.world_from_camera * Rigid3{Eigen::Quaterniond::Identity(), {2.0 * t * t, 0.0, 0.0}};
+    return start * Rigid3{Eigen::Quaterniond::Identity(), {2.0 * t * t, 0.0, 0.0}};
   };
   expect_true_poses({street(), motion, first(18), {}}, 0.003, 0.03);
 }
