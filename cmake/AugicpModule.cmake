@@ -19,6 +19,7 @@ target_compile_options(augicp_build_flags INTERFACE
   -fno-math-errno -fno-trapping-math)
 if(AUGICP_SANITIZE)
   target_compile_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_definitions(augicp_build_flags INTERFACE AUGICP_SANITIZED)  # see testing/repeats.h
   target_link_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE})
 endif()
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "augicp/testing/rendering.h"
+#include "augicp/testing/repeats.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
@@ -41,6 +42,7 @@ TEST(Basin, SameBitsForAnyNumberOfThreads) {
   BasinOptions options = small_options();
   options.angles_rad = {0.05, std::numbers::pi};
   options.distances = {0.02};
+  options.num_starts = testing::repeats(2, 1);
   options.registration.num_threads = 1;
   const auto cells = run_basin(scan, scan, {}, options, [] {});
   options.registration.num_threads = 3;

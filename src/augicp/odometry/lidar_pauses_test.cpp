@@ -14,6 +14,7 @@
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/testing/matchers.h"
+#include "augicp/testing/repeats.h"
 
 namespace augicp {
 namespace {
@@ -71,7 +72,7 @@ class LidarPauses : public ::testing::TestWithParam<Pause> {
 // Without a search, except where the sensor has rotated: it costs a second, and hides what the starts are worth.
 // Whether the sensor moves during the first sweep after the gap is not known, so that this one may be Degenerate.
 TEST_P(LidarPauses, TheSensorIsFoundAgain) {
-  for (const unsigned seed : {11u, 12u}) {
+  for (const unsigned seed : testing::cases({11u, 12u}, 1)) {
     const testing::Scene street = synthetic::street(seed);
     const synthetic::Motion motion = [&](double time_s) { return street.world_from_camera * place_at(time_s); };
     LidarOptions options = one_thread();

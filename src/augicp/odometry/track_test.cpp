@@ -12,6 +12,7 @@
 #include "augicp/core/error.h"
 #include "augicp/geometry/rotation.h"
 #include "augicp/testing/rendering.h"
+#include "augicp/testing/repeats.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
@@ -68,7 +69,7 @@ TEST(TrackThreads, GiveTheSameBits) {
   const std::vector<FrameReport> on_one = tracked(moving_frames(20), 1);
   EXPECT_TRUE(
       std::any_of(on_one.begin() + 1, on_one.end(), [](const FrameReport& report) { return report.is_keyframe; }));
-  for (const int num_threads : {0, 2, 5}) {
+  for (const int num_threads : testing::cases({5, 0, 2}, 1)) {
     const std::vector<FrameReport> on_more = tracked(moving_frames(20), num_threads);
     ASSERT_EQ(on_more.size(), on_one.size());
     for (std::size_t k = 0; k < on_one.size(); ++k) {
@@ -145,9 +146,7 @@ double held_megabytes() {
 }
 
 TEST(Track, MemoryDoesNotGrowWithTheLengthOfTheRun) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers have a heap of their own";
-#endif
+  if (testing::kIsSanitized) GTEST_SKIP() << "sanitizers have a heap of their own";
   constexpr int kFrames = 80, kSettled = 20;
   RepeatedFrames source(kFrames);
   int num_done = 0, num_with_pose = 0;

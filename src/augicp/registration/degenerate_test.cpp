@@ -8,6 +8,7 @@
 #include "augicp/testing/degenerate_families.h"
 #include "augicp/testing/poses.h"
 #include "augicp/testing/rendering.h"
+#include "augicp/testing/repeats.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
@@ -75,7 +76,7 @@ TEST(Degenerate, ExactScenesNameWhatIsFree) {
 
 TEST(Degenerate, NoisyScenesNameWhatIsFree) {
   for (const Family& family : families())
-    for (unsigned seed = 1; seed <= 3; ++seed)
+    for (const unsigned seed : testing::cases({1u, 2u, 3u}, 1))
       expect_names(family, aligned(family, {}, testing::kKinectSigmaAt1m, seed));
 }
 

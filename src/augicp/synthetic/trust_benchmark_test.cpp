@@ -9,6 +9,7 @@
 
 #include "augicp/search/kd_tree.h"
 #include "augicp/synthetic/objects.h"
+#include "augicp/testing/repeats.h"
 
 namespace augicp::synthetic {
 namespace {
@@ -157,7 +158,7 @@ TEST(TrustBenchmark, FieldsWithoutNoiseStayAtTheGuess) {
 // Neither scan lines nor noise hold the way along a corridor, and the pose stays at the guess along it.
 TEST(TrustBenchmark, CorridorsAreDegenerate) {
   for (const char* name : {"lidar corridor", "lidar tunnel", "lidar field"}) {
-    const TrustRow row = row_of_family(name, {2, 4, 6});
+    const TrustRow row = row_of_family(name, testing::cases({2u, 4u, 6u}, 1));
     EXPECT_EQ(row.degenerate, row.num_pairs) << name;
     EXPECT_LT(row.largest_move, 1e-3) << name;
   }
@@ -165,7 +166,7 @@ TEST(TrustBenchmark, CorridorsAreDegenerate) {
 
 // With three times a Kinect's noise the other motions may be doubtful too.
 TEST(TrustBenchmark, CorridorsSeenByNoisyCamerasNeverConverge) {
-  const TrustRow row = row_of_family("image corridor", {2, 4, 6});
+  const TrustRow row = row_of_family("image corridor", testing::cases({2u, 4u, 6u}, 1));
   EXPECT_EQ(row.right_converged + row.wrong_converged, 0u);
   EXPECT_LT(row.largest_move, 1e-3);
 }
@@ -182,7 +183,7 @@ TEST(TrustBenchmark, NoiseDoesNotHoldACorridor) {
 
 TEST(TrustBenchmark, WhatShapesConstrainConverges) {
   for (const char* name : {"lidar street", "flat outlines"}) {
-    const TrustRow row = row_of_family(name, {2, 4, 6});
+    const TrustRow row = row_of_family(name, testing::cases({2u, 4u, 6u}, 1));
     EXPECT_EQ(row.right_converged, row.num_pairs) << name;
   }
 }

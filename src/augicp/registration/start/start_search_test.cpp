@@ -8,6 +8,7 @@
 #include "augicp/registration/registration.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
+#include "augicp/testing/repeats.h"
 #include "augicp/testing/room_pair.h"
 
 namespace augicp {
@@ -40,7 +41,7 @@ TEST(Search, CloudsMeetFromFarther) {
   const Pair pair = room_pair(0.2);
   const Scan source = scan_of(pair.source.cloud), target = scan_of(pair.target.cloud);
   std::mt19937 generator(1);
-  for (int trial = 0; trial < 3; ++trial) {
+  for (int trial = 0; trial < testing::repeats(3, 1); ++trial) {
     const Vec3d middle = median_point(source.cloud).cast<double>();
     const Rigid3 turn = testing::random_motion(generator, 1.2, 0.0);
     const Rigid3 guess = pair.target_from_source * Rigid3{turn.rotation, middle - turn.rotation * middle};
@@ -75,7 +76,7 @@ TEST(Search, NothingIsWorseThanWhatTheGuessLeadsTo) {
   std::mt19937 generator(5);
   const Pair pair = room_pair(0.2);
   for (const bool as_clouds : {false, true})
-    for (int trial = 0; trial < 3; ++trial) {
+    for (int trial = 3 - testing::repeats(3, 1); trial < 3; ++trial) {
       const Scan source = as_clouds ? scan_of(pair.source.cloud) : pair.source,
                  target = as_clouds ? scan_of(pair.target.cloud) : pair.target;
       const Rigid3 guess = pair.target_from_source * testing::random_motion(generator, 0.3 * trial, 0.2 * trial);
