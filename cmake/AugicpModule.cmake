@@ -20,6 +20,10 @@ target_compile_options(augicp_build_flags INTERFACE
 if(AUGICP_SANITIZE)
   target_compile_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_definitions(augicp_build_flags INTERFACE AUGICP_SANITIZED)  # see testing/repeats.h
+  if(AUGICP_SANITIZE MATCHES address AND AUGICP_SANITIZE MATCHES undefined)
+    # Accesses beyond an object: on the heap, the stack and in globals the address sanitizer finds them too.
+    target_compile_options(augicp_build_flags INTERFACE -fno-sanitize=object-size)
+  endif()
   target_link_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE})
 endif()
 
