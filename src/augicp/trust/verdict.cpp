@@ -92,6 +92,10 @@ bool is_seen_as_well(const Testimony& rival, const Testimony& best) {
   return rival.knows_free_space || rival.margin() >= best.margin() - kAlikeMargin;
 }
 
+// A limit that is missed threefold says no more against a pose than one that is missed by more: what has moved, or is
+// bent, contradicts one limit of a right pose by any multiple.
+constexpr double kMaxExcess = 2.0;
+
 // Colonnades whose half-turned pose converged have up to 0.43 at the right one.
 constexpr double kSmallExcess = 0.5;
 
@@ -138,7 +142,7 @@ double strain(const Evidence& evidence, const VerdictLimits& limits) {
 
 double excess(const Evidence& evidence, const VerdictLimits& limits) {
   double sum = 0.0;
-  for (const double ratio : strains(evidence, limits)) sum += std::max(ratio - 1.0, 0.0);
+  for (const double ratio : strains(evidence, limits)) sum += std::clamp(ratio - 1.0, 0.0, kMaxExcess);
   return sum;
 }
 

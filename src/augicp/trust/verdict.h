@@ -148,8 +148,9 @@ struct Verdict {
 // The largest ratio of a value of the evidence to its limit, over the doubts: above 1 if there is a doubt.
 double strain(const Evidence& evidence, const VerdictLimits& limits = {});
 
-// How far those ratios are above 1, summed over the doubts; 0 without a doubt. Of two poses that are not supported the
-// one with less is the better one: a car that has driven on contradicts one limit of the right pose, a wrong pose most.
+// How far those ratios are above 1, by at most 2 each, summed over the doubts; 0 without a doubt. Of two poses that are
+// not supported the one with less is the better one: a car that has driven on contradicts one limit of the right pose,
+// a wrong pose most.
 double excess(const Evidence& evidence, const VerdictLimits& limits = {});
 
 // Whether the loop's last step was small enough.

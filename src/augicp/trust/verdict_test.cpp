@@ -63,6 +63,16 @@ TEST(Verdict, APoseWithOneDoubtIsBetterThanOneWithTwoLesserOnes) {
   EXPECT_LT(excess(car), excess(wrong));
 }
 
+// A fragment that is bent contradicts by a fifth of itself; a wrong pose misses two limits by a little more than twice.
+TEST(Verdict, OneLimitMissedByFarCountsLessThanTwo) {
+  Evidence bent = good_evidence(), wrong = good_evidence();
+  bent.source_in_target.contradicting = 12.0 * VerdictLimits{}.max_contradicting;
+  EXPECT_NEAR(excess(bent), 2.0, 1e-12);
+  wrong.source_in_target.count.conflict = 80;
+  wrong.source_in_target.contradicting = 2.5 * VerdictLimits{}.max_contradicting;
+  EXPECT_GT(excess(wrong), excess(bent));
+}
+
 TEST(Verdict, APartThatContradictsIsADoubtOnEachSide) {
   for (Testimony Evidence::*side : {&Evidence::source_in_target, &Evidence::target_in_source}) {
     Evidence evidence = good_evidence();
