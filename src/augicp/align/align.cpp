@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "augicp/align/iteration.h"
+#include "augicp/align/scout.h"
 #include "augicp/align/stretch.h"
 #include "augicp/core/stop.h"
 #include "augicp/trust/covariance.h"
@@ -21,6 +22,13 @@ AlignIteration record_of(const Rigid3& pose, const Iteration& iteration) {
           iteration.objective.intensity.information};
 }
 
+// What a loop is given, beside its start.
+struct Task {
+  const KnownClouds& clouds;
+  const AlignOptions& options;
+  int num_free;
+};
+
 // Computes, for the final pose and the last pairs, whether every direction is constrained, and the covariance.
 void judge_certainty(const Matcher& matcher, const PosedPairs& posed, const Iteration& last,
                      const AlignOptions& options, AlignResult& result) {
@@ -34,16 +42,17 @@ void judge_certainty(const Matcher& matcher, const PosedPairs& posed, const Iter
                                    result.observability.directions, options.num_threads);
 }
 
-// The loop of section 3.3. The increments do not move in the num_free weakest directions.
-AlignResult iterate(const KnownClouds& clouds, const Rigid3& initial_target_from_source, const AlignOptions& options,
-                    int num_free) {
+// The loop of section 3.3. The increments do not move in the num_free weakest directions. Returns what follows from its
+// steps; the last iteration goes to `now`. Ends at a known pose.
+AlignResult stepped(const Task& task, const Rigid3& initial_target_from_source, const KnowsPose& is_known,
+                    Iteration& now) {
+  const auto& [clouds, options, num_free] = task;
   const Cloud &source = clouds.source, &target = clouds.matcher.target();
   AlignResult result;
   result.status = AlignStatus::IterationLimit;
   Rigid3 pose = initial_target_from_source;  // T
   std::vector<Rigid3> visited;
   Stretch stretch(options);
-  Iteration now;
   now.gates = options.gates;
   while (result.status == AlignStatus::IterationLimit && result.iterations < options.max_iterations) {
     throw_if_stopped(options.stop);
@@ -65,10 +74,20 @@ AlignResult iterate(const KnownClouds& clouds, const Rigid3& initial_target_from
     result.history.push_back(record_of(pose, now));
     if (is_small(increment, options) || has_returned(pose, visited, options)) result.status = AlignStatus::Converged;
     visited.push_back(pose);
+    if (is_known && is_known(pose)) break;
   }
   result.target_from_source = pose;
+  return result;
+}
+
+// The loop, and what its last pairs say of its pose.
+AlignResult iterate(const KnownClouds& clouds, const Rigid3& initial_target_from_source, const AlignOptions& options,
+                    int num_free) {
+  Iteration now;
+  AlignResult result = stepped({clouds, options, num_free}, initial_target_from_source, {}, now);
   if (result.iterations == 0) return result;
-  judge_certainty(clouds.matcher, {source, target, now.pairs, pose}, now, options, result);
+  const PosedPairs posed{clouds.source, clouds.matcher.target(), now.pairs, result.target_from_source};
+  judge_certainty(clouds.matcher, posed, now, options, result);
   result.pairs = std::move(now.pairs);
   result.objective = now.objective;
   return result;
@@ -107,6 +126,18 @@ AlignResult align_by(const KnownClouds& clouds, const Rigid3& initial_target_fro
 }
 
 }  // namespace
+
+std::optional<Rigid3> scouted(const KnownClouds& clouds, const Rigid3& initial_target_from_source,
+                              const AlignOptions& options, const KnowsPose& is_known) {
+  options.check();
+  require_gaussians(clouds.matcher.target(), options.information);
+  AlignOptions by_shape = options;
+  by_shape.intensity_weight = 0.0;
+  Iteration last;
+  const AlignResult found = stepped({clouds, by_shape, 0}, initial_target_from_source, is_known, last);
+  if (!has_pose(found.status) || is_known(found.target_from_source)) return std::nullopt;
+  return found.target_from_source;
+}
 
 AlignResult align(const Cloud& source, const Matcher& matcher, const Rigid3& initial_target_from_source,
                   const AlignOptions& options) {

@@ -48,6 +48,12 @@ AlignResult ScanMatch::align(const Rigid3& guess, const AlignOptions& options) c
   return augicp::align(scans_.source.cloud, *in_target_, guess, options);
 }
 
+std::optional<Rigid3> ScanMatch::scouted(const Rigid3& guess, const AlignOptions& options,
+                                         const KnowsPose& is_known) const {
+  const auto session = in_target_->session(scans_.source.cloud);
+  return augicp::scouted({scans_.source.cloud, *in_target_, *session}, guess, options, is_known);
+}
+
 double ScanMatch::plausibility(const Rigid3& target_from_source, int num_threads) const {
   const Scan &source = scans_.source, &target = scans_.target;
   const Association back = source.view ? options_.association : Association::Nearest;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "augicp/align/scout.h"
 #include "augicp/match/matcher.h"
 #include "augicp/registration/options.h"
 #include "augicp/registration/prepared_pair.h"
@@ -24,6 +26,9 @@ class ScanMatch {
   const ScanPair& scans() const { return scans_; }
 
   AlignResult align(const Rigid3& guess, const AlignOptions& options) const;
+
+  // The pose alone; empty if there is none, or a known one on the way. See align/scout.h.
+  std::optional<Rigid3> scouted(const Rigid3& guess, const AlignOptions& options, const KnowsPose& is_known) const;
 
   // The options of the registration for these scans.
   AlignOptions usual_options() const;

@@ -12,6 +12,10 @@ namespace augicp {
 // result is the same for any number of threads.
 std::vector<Hypothesis> led_on(const ScanMatch& level, std::span<const Rigid3> starts, const AlignOptions& options);
 
+// The same without starts that come to a known pose. None is marked as free. See align/scout.h.
+std::vector<Hypothesis> scouted(const ScanMatch& level, std::span<const Rigid3> starts, const AlignOptions& options,
+                                const KnowsPose& is_known);
+
 // The starts themselves, each with its plausibility. The result is the same for any number of threads.
 std::vector<Hypothesis> as_they_are(const ScanMatch& level, std::span<const Rigid3> starts, int num_threads);
 

@@ -102,9 +102,10 @@ std::vector<Rigid3> rival_starts(const Cloud& target, const Rigid3& found, doubl
 }  // namespace
 
 bool differ_clearly(const Cloud& source, const Rigid3& a, const Rigid3& b, double limit) {
+  const Mat3d turned = a.rotation.toRotationMatrix() - b.rotation.toRotationMatrix();
+  const Vec3d shifted = a.translation - b.translation;
   double moved_sq = 0.0;
-  for (const Vec3f& point : source.points)
-    moved_sq += (a * point.cast<double>() - b * point.cast<double>()).squaredNorm();
+  for (const Vec3f& point : source.points) moved_sq += (turned * point.cast<double>() + shifted).squaredNorm();
   return moved_sq > limit * limit * static_cast<double>(source.size());
 }
 
@@ -125,24 +126,25 @@ std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_targ
                                   const RegistrationOptions& options) {
   const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels, options.num_threads);
   const ScanMatch match(coarse, options);
-  AlignOptions by = match.usual_options();
-  const double least = match.plausibility(found_target_from_source, options.num_threads) - kLessPlausible;
-  const auto erase_hopeless = [&](std::vector<Hypothesis>& hypotheses, double least_plausible) {
-    std::erase_if(hypotheses, [&](const Hypothesis& rival) {
-      return rival.plausibility < least_plausible ||
-             !differ_clearly(coarse.source.cloud, rival.target_from_source, found_target_from_source,
-                             kClearlyPerRadius * pair.lengths.radius);
-    });
+  const auto is_back = [&](const Rigid3& pose) {  // where most starts lead, and soon
+    return !differ_clearly(coarse.source.cloud, pose, found_target_from_source,
+                           kClearlyPerRadius * pair.lengths.radius);
   };
+  const double least = match.plausibility(found_target_from_source, options.num_threads) - kLessPlausible;
+  const auto erase_hopeless = [](std::vector<Hypothesis>& hypotheses, double least_plausible) {
+    std::erase_if(hypotheses, [&](const Hypothesis& rival) { return rival.plausibility < least_plausible; });
+  };
+  AlignOptions by = match.usual_options();
   by.max_iterations = kFirstIterations;
-  auto begun = led_on(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by);
+  auto begun =
+      scouted(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by, is_back);
   erase_hopeless(begun, least - kMaxGain);
   begun = best_of(std::move(begun), kMaxLedOn, pair.lengths.radius, kSameAngle);
   std::vector<Rigid3> starts;
   starts.reserve(begun.size());
   for (const Hypothesis& start : begun) starts.push_back(start.target_from_source);
   by.max_iterations = kIterations;
-  std::vector<Hypothesis> found = led_on(match, starts, by);
+  std::vector<Hypothesis> found = scouted(match, starts, by, is_back);
   erase_hopeless(found, least);
   std::vector<Rigid3> rivals;
   for (const Hypothesis& rival : best_of(std::move(found), kMaxRivals, pair.lengths.radius, kSameAngle))
