@@ -2,6 +2,7 @@
 #include "python/cloud/points.h"
 
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "augicp/io/cloud_from_points.h"
@@ -86,7 +87,10 @@ CloudFile cloud_from(const PointArrays& arrays, const std::string& name) {
   std::optional<py::array> normals, structures, intensities;  // alive until the end of the work
   PointSource source;
   source.count = static_cast<std::size_t>(points.shape(0));
-  source.position = reader_of(points);
+  source.positions = [at = Reals(points)](std::size_t first, std::span<Vec3d> positions) {
+    for (std::size_t k = 0; k < positions.size(); ++k)
+      positions[k] = Vec3d(at(first + k, 0), at(first + k, 1), at(first + k, 2));
+  };
   if (!arrays.normals.is_none()) {
     normals = rows_of_three(arrays.normals, "normals");
     require_count(*normals, points.shape(0), "normals");

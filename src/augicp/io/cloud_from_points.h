@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "augicp/io/cloud_file.h"
 #include "augicp/io/write_cloud.h"
@@ -20,6 +21,10 @@ struct PointSource {
   std::function<double(std::size_t)> intensity;     // in any unit, NaN if unknown; empty: no intensities
   std::function<Colour(std::size_t)> colour;        // empty: no colours
   std::optional<Vec3d> viewpoint;                   // metres
+
+  // Writes positions from an index on, if set; `position` is then not needed. Points that have nothing else are read
+  // faster.
+  std::function<void(std::size_t first, std::span<Vec3d> positions)> positions{};
 };
 
 // The cloud of these points, by the rules of CloudFile: it equals the cloud of a file with the same numbers, except

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -42,6 +44,26 @@ TEST(CloudFromPoints, NormalsAreOfPlanesUnlessToldOtherwise) {
   const Cloud cloud = cloud_from_points(source).cloud;
   EXPECT_THAT(cloud.structures, ::testing::ElementsAre(Structure::None, Structure::Planar, Structure::Edge));
   EXPECT_EQ(cloud.directions, (std::vector<Vec3f>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}}));
+}
+
+TEST(CloudFromPoints, ManyAtOnceAreTheSameAsOneByOne) {
+  std::vector<Vec3d> points;
+  for (int i = 0; i < 1000; ++i) points.emplace_back(1e6 + 0.1 * i, i % 7, i % 100 == 3 ? kNan : 0.5);
+  PointSource source = source_of(points);
+  const CloudFile expected = cloud_from_points(source);
+  source.position = {};
+  source.positions = [&](std::size_t first, std::span<Vec3d> positions) {
+    std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(first), positions.size(), positions.begin());
+  };
+  const CloudFile alone = cloud_from_points(source);
+  EXPECT_EQ(alone.cloud.points, expected.cloud.points);
+  EXPECT_EQ(alone.cloud.origin, expected.cloud.origin);
+  EXPECT_EQ(alone.report.num_declared, 1000u);
+  EXPECT_EQ(alone.report.num_not_finite, 10u);
+  source.intensity = [](std::size_t i) { return static_cast<double>(i); };
+  const CloudFile with_more = cloud_from_points(source);
+  EXPECT_EQ(with_more.cloud.points, expected.cloud.points);
+  EXPECT_EQ(with_more.cloud.intensities.size(), 990u);
 }
 
 TEST(CloudFromPoints, MayBeEmpty) {
