@@ -4,7 +4,6 @@
 #include <ceres/rotation.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -15,15 +14,10 @@
 #include "augicp/testing/plain_objective.h"
 #include "augicp/testing/poses.h"
 #include "augicp/testing/random_clouds.h"
+#include "augicp/testing/symmetric.h"
 
 namespace augicp {
 namespace {
-
-Mat6d sqrt_of(const Mat6d& information) {
-  const Eigen::SelfAdjointEigenSolver<Mat6d> eigen(information);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-         eigen.eigenvectors().transpose();
-}
 
 // sqrt(Omega) e of Eq. (8), as a function of the increment to a pose: translation, then rotation vector, on the left.
 struct WhitenedError {
@@ -68,7 +62,7 @@ WhitenedError whitened_error(const Cloud& source, const Cloud& target, const Cor
   error.target_point = error.moved_point + plain.error.head<3>();
   error.target_direction = target.directions[pair.target].cast<double>();
   error.moved_direction = error.target_direction - plain.error.tail<3>();
-  error.sqrt_information = sqrt_of(plain.information);
+  error.sqrt_information = testing::sqrt_of(plain.information);
   return error;
 }
 
