@@ -70,7 +70,9 @@ std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& lim
   const bool target_is_part = evidence.known_part == Part::Target || shows_all(evidence.target_in_source);
   if (source_is_part) other[0] = other[1] = other[3] = other[4] = 0.0;
   if (target_is_part) one[0] = one[1] = one[3] = one[4] = 0.0;
-  const double joint = source_is_part || target_is_part ? 0.0 : joint_strain(evidence.source_in_target, evidence.target_in_source, limits);
+  const double joint = source_is_part || target_is_part
+                           ? 0.0
+                           : joint_strain(evidence.source_in_target, evidence.target_in_source, limits);
   const double bare = bare_planes(evidence, limits);
   // What one cloud has off its planes the other may not have seen, but not both. What moved between the scans stands in
   // free space, so if that is known it is asked far from the guess only.
