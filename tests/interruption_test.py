@@ -5,7 +5,9 @@ absent.
 
     interruption_test.py AUGICP PROJECT
 """
+import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -92,6 +94,26 @@ class InterruptionTest(unittest.TestCase):
         self.assertEqual([path.name for path in output.iterdir()], ["config.toml"])
         again = subprocess.run([AUGICP, "--config", output / "config.toml", "odometry", "--last", "2", "--quiet"], timeout=120, check=False)
         self.assertEqual(again.returncode, 0, "what was written is whole")
+
+    def test_lidar_odometry_keeps_what_was_done(self):
+        """The scans repeat one another, so that there is always more to do."""
+        scans, output = self.folder / "scans", self.folder / "run"
+        scans.mkdir()
+        shutil.copy(ROOM[0], scans / "000000.ply")
+        for k in range(1, 3000):
+            os.link(scans / "000000.ply", scans / f"{k:06}.ply")
+        command = Command("odometry", scans, "--sensor", "lidar", "--output", output, "--map", self.folder / "map.ply",
+                          "--mcap", self.folder / "run.mcap", "--report", self.folder / "run.html")
+        command.until_busy_for(1.0)
+        self.assertEqual(command.ends_on(signal.SIGINT), INTERRUPTED)
+        num_scans = len((output / "frames.csv").read_text().splitlines()) - 1
+        self.assertGreater(num_scans, 0)
+        self.assertLess(num_scans, 3000)
+        self.assertIn("interrupted before scan", json.loads((output / "metrics.json").read_text())["ended_early"])
+        for path in ("map.ply", "run.mcap"):
+            subprocess.run([AUGICP, "info", self.folder / path], check=True, timeout=120, stdout=subprocess.DEVNULL)
+        self.assertTrue((self.folder / "run.html").exists())
+        self.assertEqual(partial_files(self.folder), [])
 
     def test_surface(self):
         output = self.folder / "extended.ply"

@@ -15,6 +15,20 @@ namespace {
 // Locked while a file is written. Global, because signals belong to the process.
 std::recursive_mutex writing;
 
+// What the next signal asks for a stop; null: it ends the process. And the one that has done so.
+std::mutex stopping;
+std::stop_source* to_stop = nullptr;
+int stopped_by = 0;
+
+// Whether a signal was for a StopOnSignal.
+bool is_taken(int signal) {
+  const std::lock_guard lock(stopping);
+  if (!to_stop || stopped_by != 0) return false;
+  stopped_by = signal;
+  to_stop->request_stop();
+  return true;
+}
+
 // A pipe without a reader must not block the command for ever.
 constexpr int kMaxWaits = 100;
 constexpr timespec kWait{0, 10'000'000};  // 10 ms
@@ -39,11 +53,13 @@ void say_interrupted() {
   if (::write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) return;
 }
 
-// Nothing is unwound: no result of the command outlives the process, and files are whole or absent whenever the mutex
-// is free. So no loop has to check for a stop.
+// Nothing is unwound: files are whole or absent whenever the mutex is free. So no loop has to check for a stop, but
+// those whose results are kept.
 void end_on_first_of(const sigset_t& signals) {
   int signal = 0;
-  if (::sigwait(&signals, &signal) != 0) return;
+  do {
+    if (::sigwait(&signals, &signal) != 0) return;
+  } while (is_taken(signal));
   for (int i = 0; i < kMaxWaits && !writing.try_lock(); ++i)
     if (::sigtimedwait(&signals, nullptr, &kWait) > 0) break;
   say_interrupted();
@@ -56,6 +72,22 @@ void end_on_signals() {
   const sigset_t signals = ending_signals();
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread(end_on_first_of, signals).detach();
+}
+
+StopOnSignal::StopOnSignal() {
+  const std::lock_guard lock(stopping);
+  to_stop = &source_;
+  stopped_by = 0;
+}
+
+StopOnSignal::~StopOnSignal() {
+  const std::lock_guard lock(stopping);
+  to_stop = nullptr;
+}
+
+int StopOnSignal::exit_code() const {
+  const std::lock_guard lock(stopping);
+  return stopped_by == 0 ? 0 : 128 + stopped_by;
 }
 
 void write_whole(const std::function<void()>& write) {

@@ -13,6 +13,7 @@
 #include "apps/augicp/command/recording.h"
 #include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
+#include "augicp/core/stop.h"
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/io/write_cloud.h"
@@ -32,17 +33,17 @@ constexpr double kTile = 100.0;
 constexpr double kMinTile = 1.0, kMaxTile = 1e6;
 
 FrameReport report_on(LidarOdometry& odometry, ScanReader& reader, const LidarInput& input, std::size_t row,
-                      int segment) {
+                      const std::stop_token& stop) {
   const std::size_t frame = input.chosen[row];
   const ScanFile& scan = input.sequence.scans[frame];
   try {
     const PointTimes& times = input.point_times;
     const CloudFile file = reader.read(frame, read_options_for(times));
-    FrameReport report = odometry.add(scan.stamp_s, file.cloud, shares_of(file, scan.path, times));
+    FrameReport report = odometry.add(scan.stamp_s, file.cloud, shares_of(file, scan.path, times), stop);
     if (input.on_scan) input.on_scan(row, report, file.cloud);
     return report;
   } catch (const IoError& error) {
-    return unreadable_frame(scan.stamp_s, segment, error.what());
+    return unreadable_frame(scan.stamp_s, 0, error.what());
   }
 }
 
@@ -136,20 +137,26 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::o
   ProgressBar bar(input.chosen.size(), "scans", input.progress);
   const Stopwatch all;
   double saved_ms = 0.0;
-  int segment = 0;
   ScanReader reader(input.sequence);
+  const StopOnSignal signal;
   for (const std::size_t frame : input.chosen) {
     FrameRow row{frame, input.sequence.scans[frame].path, {}, 0.0};
     try {
       if (map && *map) require_room(**map, odometry, input.max_memory_gb);
-      row.report = report_on(odometry, reader, input, run.rows.size(), segment);
+      throw_if_stopped(signal.token());
+      row.report = report_on(odometry, reader, input, run.rows.size(), signal.token());
     } catch (const TooMuchMemory& error) {
       if (run.rows.empty()) throw;  // nothing is done yet
       run.ended_early = fmt::format("ended before scan {}: {}", frame, error.message(kMemoryOptions));
-      if (map) update(*map, odometry, run.rows.back().report, true);
+    } catch (const Interrupted&) {
+      run.ended_early = fmt::format("interrupted before scan {}; what was done is kept", frame);
+    }
+    if (!run.ended_early.empty()) {
+      if (map && !run.rows.empty()) update(*map, odometry, run.rows.back().report, true);
       break;
     }
-    segment = row.report.segment;
+    if (row.report.status == FrameStatus::Unreadable && !run.rows.empty())
+      row.report.segment = run.rows.back().report.segment;
     if (map) update(*map, odometry, row.report, frame == input.chosen.back());
     row.time_ms = all.elapsed_ms() - run.total_ms;
     run.total_ms = all.elapsed_ms();
@@ -159,6 +166,7 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::o
     save(run, input.output);
     saved_ms = run.total_ms;
   }
+  run.interrupted_code = signal.exit_code();
   return run;
 }
 
@@ -194,6 +202,7 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   LidarOdometry odometry(options);
   std::optional<MapArchive> map;
   OdometryRun run = track_scans(input, odometry, arguments.map.empty() && arguments.mcap.empty() ? nullptr : &map);
+  if (run.rows.empty()) return run;  // interrupted
   require_readable(run, "scan");
   save(run, input.output);
   if (!arguments.map.empty() && map && map->size() > 0) write_map(arguments.map, *map, arguments.map_tile);

@@ -193,6 +193,7 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::
       scans.push_back(kept_scan(row, report.world_from_camera, scan));
   };
   const OdometryRun run = run_lidar_odometry(input, lidar);
+  if (run.rows.empty()) return run.interrupted_code;
   write_page(arguments, {run, scans});
   report_to_user(
       run, arguments,

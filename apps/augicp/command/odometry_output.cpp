@@ -42,7 +42,8 @@ void require_readable(const OdometryRun& run, const std::string& what) {
     throw IoError("no " + what + " can be used; the first: " + run.rows.front().report.problem);
 }
 
-ExitCode exit_code_for(const OdometryRun& run) {
+int exit_code_for(const OdometryRun& run) {
+  if (run.interrupted_code != 0) return run.interrupted_code;
   const Trajectory trajectory = trajectory_of(run);
   if (trajectory.empty() || (trajectory.size() == 1 && run.rows.size() > 1)) return kRegistrationFailed;
   return num_segments(run) > 1 || !mostly_tracked(run) || !run.ended_early.empty() ? kDoubtful : kSuccess;

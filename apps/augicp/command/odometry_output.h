@@ -36,6 +36,6 @@ class OutputFolder {
 // Throws IoError if every frame is unreadable: then the frames are not the reason. what: the word for a frame.
 void require_readable(const OdometryRun& run, const std::string& what);
 
-ExitCode exit_code_for(const OdometryRun& run);
+int exit_code_for(const OdometryRun& run);
 
 }  // namespace augicp::app
