@@ -200,6 +200,14 @@ class Lidar(unittest.TestCase):
         order = [np.lexsort(np.round(points, 3).T) for points in (whole, together)]
         self.assertTrue(np.allclose(whole[order[0]], together[order[1]], atol=2e-3))
 
+    def test_the_map_may_go_into_the_folder_that_is_made(self):
+        output = self.root / "made"
+        result = run(self.scans, "--output", output, "--point-times", "none", "--map", output / "map.ply", "--map-tile", 8)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        tiles = list(output.glob("map_*.ply"))
+        self.assertGreater(len(tiles), 1)
+        self.assertIn(f"{output / 'map_*.ply'} ({len(tiles)} tiles)", result.stdout)
+
     def test_the_metrics_name_the_sequence(self):
         self.assertEqual(json.loads((self.output / "metrics.json").read_text())["sequence"], str(self.scans))
 
@@ -221,7 +229,8 @@ class Lidar(unittest.TestCase):
         for arguments in ([empty], [empty, "--sensor", "lidar"], [self.scans, "--first", "99"],
                           [self.scans, "--point-times", "sometimes"], [self.scans, "--map", "map.xyz"],
                           [self.scans, "--map", "map.ply", "--map-tile", 0],
-                          [self.scans, "--map", "map.ply", "--map-tile", "nan"]):
+                          [self.scans, "--map", "map.ply", "--map-tile", "nan"],
+                          [self.scans, "--max-depth", 10], [self.scans, "--method", "point"]):
             refused = run(*arguments, "--output", self.root / "refused")
             self.assertNotIn(refused.returncode, (0, 4, 5), arguments)
             self.assertTrue(refused.stderr)

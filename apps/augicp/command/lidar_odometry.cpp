@@ -94,15 +94,19 @@ void update(std::optional<MapArchive>& map, const LidarOdometry& odometry, const
 }
 
 // One file, or tiles, if they are wanted or the file would be large: one for each square, whose name ends in the
-// square's number along x and y.
-void write_map(const fs::path& path, const MapArchive& map, const std::optional<double>& wanted_tile) {
+// square's number along x and y. Returns what was written, for people.
+std::string write_map(const fs::path& path, const MapArchive& map, const std::optional<double>& wanted_tile) {
   const bool is_large = wanted_tile || map.size() > kMaxPointsOfAMap;
   const double edge = is_large ? wanted_tile.value_or(kTile) : std::numeric_limits<double>::infinity();
-  for (const auto& [number, cloud] : map.tiles(edge)) {
+  const auto tiles = map.tiles(edge);
+  for (const auto& [number, cloud] : tiles) {
     const std::string name =
         fmt::format("{}_{}_{}{}", path.stem().string(), number[0], number[1], path.extension().string());
     write_whole([&, &tile = cloud] { write_cloud(is_large ? path.parent_path() / name : path, tile); });
   }
+  if (!is_large) return path.string();
+  const std::string all = path.stem().string() + "_*" + path.extension().string();
+  return fmt::format("{} ({} tiles)", (path.parent_path() / all).string(), tiles.size());
 }
 
 // A scan as its pose has it. Its times are left out: who deskewed it again would bend it.
@@ -205,7 +209,8 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   if (run.rows.empty()) return run;  // interrupted
   require_readable(run, "scan");
   save(run, input.output);
-  if (!arguments.map.empty() && map && map->size() > 0) write_map(arguments.map, *map, arguments.map_tile);
+  if (!arguments.map.empty() && map && map->size() > 0)
+    run.map_files = write_map(arguments.map, *map, arguments.map_tile);
   if (!arguments.mcap.empty()) write_mcap(arguments.mcap, run, input, map, options.pose_at);
   return run;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -32,6 +33,15 @@ namespace augicp::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Options without meaning for the other kind of sensor.
+constexpr const char* kDepthAlone[] = {"camera",           "depth-scale", "readout",           "reference",
+                                       "pixel-step",       "min-depth",   "max-depth",         "min-overlap",
+                                       "keyframe-overlap", "max-strain",  "max-extrapolation", "method",
+                                       "max-iterations",   "time-offset"};
+constexpr const char* kLidarAlone[] = {
+    "point-times",           "pose-at", "map-voxel", "remove-seen-through", "check-every",
+    "check-distance-voxels", "map",     "map-tile"};
 
 DepthCamera camera_for(const DepthSequence& sequence, const OdometryArguments& arguments) {
   DepthCamera camera = sequence_camera(sequence, arguments.sequence, arguments.camera);
@@ -99,15 +109,28 @@ std::string in_numbers(const DepthCamera& camera) {
   return fmt::format("{} {} {} {} {} {} {} {} {}", fx, fy, cx, cy, k1, k2, p1, p2, k3);
 }
 
-// Every option as it took effect, so that --config with this file repeats the run, from any folder.
-std::string effective_config(CLI::App& command, const fs::path& output) {
+bool is_among(const std::string& config_line, std::span<const char* const> options) {
+  return std::any_of(options.begin(), options.end(),
+                     [&](const char* option) { return config_line.starts_with(std::string(option) + "="); });
+}
+
+// Every option as it took effect, so that --config with this file repeats the run, from any folder. without: options
+// of the other kind of sensor.
+std::string effective_config(CLI::App& command, const fs::path& output, std::span<const char* const> without) {
   set(command, "--sequence", fs::absolute(command.get_option("--sequence")->as<std::string>()).string());
   set(command, "--output", fs::absolute(output).string());
   std::istringstream lines(command.config_to_str(/*default_also=*/true));
   std::string config = "[odometry]\n";
-  for (std::string line; std::getline(lines, line);)
-    if (!line.ends_with("=\"\"")) config += line + "\n";  // not given, and without a default
+  for (std::string line; std::getline(lines, line);)  // empty: not given, and without a default
+    if (!line.ends_with("=\"\"") && !is_among(line, without)) config += line + "\n";
   return config;
+}
+
+// Throws std::invalid_argument if an option is given that this kind of sensor would ignore.
+void refuse(const CLI::App& command, std::span<const char* const> options, const std::string& sensor) {
+  for (const char* option : options)
+    if (command.get_option(std::string("--") + option)->count() > 0)
+      throw std::invalid_argument(fmt::format("--{}: has no meaning for a {}", option, sensor));
 }
 
 std::string effective_config(CLI::App& command, const DepthSequence& sequence, const DepthCamera& camera,
@@ -115,7 +138,7 @@ std::string effective_config(CLI::App& command, const DepthSequence& sequence, c
   set(command, "--camera", in_numbers(camera));
   command.get_option("--depth-scale")->default_str(fmt::format("{}", sequence.depth_scale));
   command.get_option("--readout")->default_str(fmt::format("{}", camera.readout_s));
-  return effective_config(command, output);
+  return effective_config(command, output, kLidarAlone);
 }
 
 void write_page(const OdometryArguments& arguments, const OdometryPicture& picture) {
@@ -129,7 +152,7 @@ void write_page(const OdometryArguments& arguments, const OdometryPicture& pictu
 void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, const std::string& in_folder) {
   if (arguments.json == "-") write_json("-", metrics_json(run));
   if (!run.ended_early.empty()) fmt::print(stderr, "augicp: {}\n", run.ended_early);
-  const std::string files = written_text({in_folder, arguments.lidar.map, arguments.mcap}, arguments.page);
+  const std::string files = written_text({in_folder, run.map_files, arguments.mcap}, arguments.page);
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}output     {}\n", summary_text(run), files);
 }
 
@@ -154,6 +177,7 @@ std::optional<StampedTopic> topic_of(const OdometryArguments& arguments) {
 bool is_lidar(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
   if (topic) return topic->type == kPointCloud2;
   if (arguments.sensor != Sensor::Auto) return arguments.sensor == Sensor::Lidar;
+  if (!arguments.camera.empty()) return false;  // the folder may be damaged
   std::error_code not_a_folder;
   if (!fs::is_directory(arguments.sequence, not_a_folder)) return false;
   return !find_scans(arguments.sequence).empty() && !holds_depth_images(arguments.sequence);
@@ -170,6 +194,7 @@ DepthSequence images_of(const OdometryArguments& arguments, const std::optional<
 }
 
 int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::optional<StampedTopic>& topic) {
+  refuse(command, kDepthAlone, "LiDAR");
   arguments.lidar.odometry.check();
   require_extension(arguments.lidar.map, {".ply", ".pcd"}, "--map");
   if (arguments.lidar.map_tile) require_positive("--map-tile", *arguments.lidar.map_tile);  // NaN is in every range
@@ -181,9 +206,10 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::
   input.progress = arguments.quiet ? Progress::None : arguments.progress;
   const OutputFolder made(arguments.output, arguments.sequence);
   const fs::path folder = input.output = made.path();
-  write_text_file(folder / "config.toml", effective_config(command, folder));
+  write_text_file(folder / "config.toml", effective_config(command, folder, kDepthAlone));
   LidarArguments lidar = arguments.lidar;
   lidar.mcap = arguments.mcap;
+  lidar.odometry.max_lost = arguments.odometry.max_lost;
   lidar.odometry.num_threads = arguments.odometry.registration.num_threads;
   input.max_memory_gb = lidar.odometry.max_memory_gb = arguments.odometry.registration.max_memory_gb;
   std::vector<KeptModel> scans;
@@ -216,9 +242,11 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   require_extension(arguments.mcap, {".mcap"}, "--mcap");
   require_no_input_among({arguments.mcap, arguments.page, arguments.lidar.map}, {arguments.sequence});
   require_page_name(arguments.page);
-  require_places({arguments.mcap, arguments.page, arguments.lidar.map});
+  require_places({arguments.mcap, arguments.page, arguments.lidar.map},
+                 output_folder(arguments.output, arguments.sequence));
   const std::optional<StampedTopic> topic = topic_of(arguments);
   if (is_lidar(arguments, topic)) return run_lidar(arguments, command, topic);
+  refuse(command, kLidarAlone, "depth camera");
   const DepthSequence sequence = images_of(arguments, topic);
   const DepthCamera camera = camera_for(sequence, arguments);
   if (!arguments.quiet) warn_by_first_frame(sequence, arguments.depth_scale.value_or(sequence.depth_scale));

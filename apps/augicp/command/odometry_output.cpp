@@ -21,8 +21,12 @@ std::string folder_for(const std::string& sequence) {
 
 }  // namespace
 
+fs::path output_folder(const std::string& output, const std::string& sequence) {
+  return output.empty() ? folder_for(sequence) : output;
+}
+
 OutputFolder::OutputFolder(const std::string& output, const std::string& sequence)
-    : path_(output.empty() ? folder_for(sequence) : output), num_exceptions_(std::uncaught_exceptions()) {
+    : path_(output_folder(output, sequence)), num_exceptions_(std::uncaught_exceptions()) {
   std::error_code error;
   is_new_ = !fs::exists(path_, error);
   fs::create_directories(path_, error);

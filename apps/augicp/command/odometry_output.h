@@ -14,9 +14,11 @@ namespace augicp::app {
 // The options that change the memory of an odometry.
 inline constexpr MemoryOptionNames kMemoryOptions{"--map-voxel", "--radius", "--max-memory", "--pixel-step"};
 
-// The folder of the results: `output`, or the name of the sequence and "_odometry" if that is empty. It is made if
-// missing, and results of another run are removed from it. If an exception ends its scope, a folder that was made is
-// removed again.
+// The folder of the results: `output`, or the name of the sequence and "_odometry" if that is empty.
+std::filesystem::path output_folder(const std::string& output, const std::string& sequence);
+
+// This folder. It is made if missing, and results of another run are removed from it. If an exception ends its scope, a
+// folder that was made is removed again.
 class OutputFolder {
  public:
   // Throws IoError.

@@ -31,7 +31,7 @@ void write_json(const std::string& destination, const nlohmann::ordered_json& js
   write_text(destination, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-void require_places(const std::vector<std::string>& files) {
+void require_places(const std::vector<std::string>& files, const std::filesystem::path& to_be_made) {
   std::vector<std::filesystem::path> seen;
   std::error_code ignored;
   for (const std::filesystem::path file : files) {
@@ -39,7 +39,9 @@ void require_places(const std::vector<std::string>& files) {
     const std::filesystem::path folder = file.parent_path(), name = file.lexically_normal();
     if (std::filesystem::is_directory(file, ignored))
       throw IoError(fmt::format("{}: expected a file to write, found a folder", file.string()));
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    const bool is_to_be_made =
+        !to_be_made.empty() && (folder / "").lexically_normal() == (to_be_made / "").lexically_normal();
+    if (!folder.empty() && !is_to_be_made && !std::filesystem::is_directory(folder, ignored))
       throw IoError(fmt::format("{}: cannot be written: there is no folder {}", file.string(), folder.string()));
     const bool is_device = std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
     if (!is_device && std::find(seen.begin(), seen.end(), name) != seen.end())

@@ -2,6 +2,7 @@
 // Results as files, each whole or absent, also if a signal ends the command.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ void write_json(const std::string& destination, const nlohmann::ordered_json& js
 
 // Before the work, whose result would be lost: the folder of each file exists, none is a folder, and no two are the
 // same file. Empty names and "-" are left out. Throws IoError or std::invalid_argument.
-void require_places(const std::vector<std::string>& files);
+// to_be_made: a folder that the command makes first; what is to be written into it has a place.
+void require_places(const std::vector<std::string>& files, const std::filesystem::path& to_be_made = {});
 
 // Refuses a report of a name that stands for another kind of document.
 void require_page_name(const std::string& page);
