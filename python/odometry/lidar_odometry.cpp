@@ -2,9 +2,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "augicp/odometry/lidar_option_table.h"
 #include "python/bindings.h"
@@ -33,7 +35,8 @@ Options, by keyword; augicp.default_options("lidar_odometry") has their defaults
 )";
 
 constexpr const char* kAddDoc =
-    R"(The next scan: a Cloud, or an (N, 3) array of finite points in the sensor's frame, metres.
+    R"(The next scan: a Cloud, or an (N, 3) array of points in the sensor's frame, metres. Points that are not finite are
+dropped, with their times.
 
 stamp: seconds; None: 0.1 after the one before. times: when each point was measured, N numbers in any unit and from any zero;
 "order": from the order of the points, if that is the firing order; "azimuth": one revolution that begins behind the sensor,
@@ -43,7 +46,21 @@ Returns its pose as a new (4, 4) float64 T_world_sensor, or None if it has none.
 pose is no error; the next one is tried again. Releases the GIL. Ctrl-C ends it and leaves the object unchanged, so the same
 scan may be added again.)";
 
-SweepShares shares_from(const py::object& times, const Cloud& cloud) {
+// The times of the points that are kept: those that are not finite are dropped, and with them their times.
+std::vector<double> times_of_kept(const py::array_t<double>& times, const py::object& points) {
+  std::vector<double> kept(times.data(), times.data() + times.size());
+  if (!py::isinstance<py::array>(points)) return kept;
+  const py::array rows = as_reals(as_numbers(points, "points"));
+  if (rows.ndim() != 2 || rows.shape(0) != times.size()) return kept;
+  const Reals at(rows);
+  std::size_t num_kept = 0;
+  for (py::ssize_t i = 0; i < times.size(); ++i)
+    if (std::isfinite(at(i, 0)) && std::isfinite(at(i, 1)) && std::isfinite(at(i, 2))) kept[num_kept++] = times.at(i);
+  kept.resize(num_kept);
+  return kept;
+}
+
+SweepShares shares_from(const py::object& times, const py::object& points, const Cloud& cloud) {
   if (py::isinstance<py::str>(times)) {
     const auto word = py::cast<std::string>(times);
     if (word == "order") return shares_from_order(cloud);
@@ -56,10 +73,11 @@ SweepShares shares_from(const py::object& times, const Cloud& cloud) {
     PyErr_Clear();
     throw std::invalid_argument("times: expected one number a point");
   }
-  if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != cloud.size())
-    throw std::invalid_argument("times: expected " + std::to_string(cloud.size()) +
-                                " numbers, one a finite point, found " + std::to_string(array.size()));
-  return shares_from_times({array.data(), cloud.size()});
+  const std::vector<double> of_points = array.ndim() == 1 ? times_of_kept(array, points) : std::vector<double>{};
+  if (array.ndim() != 1 || of_points.size() != cloud.size())
+    throw std::invalid_argument("times: expected " + std::to_string(cloud.size()) + " numbers, one a point, found " +
+                                std::to_string(array.size()));
+  return shares_from_times(of_points);
 }
 
 class Tracker {
@@ -68,7 +86,7 @@ class Tracker {
 
   py::object add(const py::object& points, std::optional<double> stamp, const py::object& times) {
     const SharedScan scan = scan_from(points, "points");
-    const SweepShares shares = shares_from(times, scan->cloud);
+    const SweepShares shares = shares_from(times, points, scan->cloud);
     const FrameReport report =
         without_gil([&](const std::stop_token& stop) { return placed(scan->cloud, shares, stamp, stop); });
     return has_pose(report.status) ? py::object(to_array(report.world_from_camera)) : py::none();

@@ -100,6 +100,24 @@ def test_times_of_points_in_any_unit(scans):
     assert odometry.last_frame is None
 
 
+def test_points_without_a_reading_are_dropped_with_their_times(scans):
+    """Organized clouds have them."""
+    def poses(points_of, times_of):
+        odometry = augicp.LidarOdometry()
+        return [odometry.add(points_of(points), 0.1 * k, times_of(len(points))) for k, points in enumerate(scans[:3])]
+
+    def with_holes(points):
+        holed = np.full((2 * len(points), 3), np.nan, np.float32)
+        holed[::2] = points
+        return holed
+
+    whole = poses(lambda points: points, lambda n: np.linspace(0.0, 0.1, n))
+    holed = poses(with_holes, lambda n: np.repeat(np.linspace(0.0, 0.1, n), 2))
+    assert all(np.array_equal(one, other) for one, other in zip(whole, holed))
+    with pytest.raises(augicp.ArgumentError, match="one a point"):
+        augicp.LidarOdometry().add(with_holes(scans[0]), 0.0, np.linspace(0.0, 0.1, len(scans[0]) + 1))
+
+
 def test_scans_that_cannot_be_placed_are_no_errors(scans):
     odometry = augicp.LidarOdometry()
     assert odometry.add(scans[0][:20]) is None and odometry.last_frame.status == "no_readings"
