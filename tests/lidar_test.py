@@ -200,6 +200,19 @@ class Lidar(unittest.TestCase):
         order = [np.lexsort(np.round(points, 3).T) for points in (whole, together)]
         self.assertTrue(np.allclose(whole[order[0]], together[order[1]], atol=2e-3))
 
+    def test_scans_in_other_units_or_frames_are_named(self):
+        for name, change, words in (("mm", lambda points: points * 1000.0, "millimetres"),
+                                    ("utm", lambda points: points + [4e5, 5.4e6, 0.0], "frame of the sensor")):
+            folder = self.root / name
+            folder.mkdir()
+            for k in range(4):
+                points = np.fromfile(self.scans / f"{k}.bin", "<f4").reshape(-1, 4)
+                points[:, :3] = change(points[:, :3].astype(float))
+                points.tofile(folder / f"{k}.bin")
+            result = run(folder, "--output", self.root / f"{name}_run")
+            self.assertNotEqual(result.returncode, 0)
+            self.assertIn(words, result.stdout)
+
     def test_the_map_may_go_into_the_folder_that_is_made(self):
         output = self.root / "made"
         result = run(self.scans, "--output", output, "--point-times", "none", "--map", output / "map.ply", "--map-tile", 8)

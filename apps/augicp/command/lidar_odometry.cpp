@@ -11,6 +11,7 @@
 #include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/recording.h"
+#include "apps/augicp/command/scan_advice.h"
 #include "apps/augicp/command/table_options.h"
 #include "augicp/core/error.h"
 #include "augicp/core/stop.h"
@@ -174,6 +175,14 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::o
   return run;
 }
 
+// By the first scan that can be read.
+std::string advice_on(const OdometryRun& run, const LidarInput& input) {
+  ScanReader reader(input.sequence);
+  for (const FrameRow& row : run.rows)
+    if (row.report.status != FrameStatus::Unreadable) return scan_advice(reader.read(row.frame, {}).cloud);
+  return "";
+}
+
 }  // namespace
 
 void add_lidar_options(CLI::App& command, LidarArguments& arguments) {
@@ -208,6 +217,7 @@ OdometryRun run_lidar_odometry(const LidarInput& input, const LidarArguments& ar
   OdometryRun run = track_scans(input, odometry, arguments.map.empty() && arguments.mcap.empty() ? nullptr : &map);
   if (run.rows.empty()) return run;  // interrupted
   require_readable(run, "scan");
+  if (!mostly_tracked(run)) run.advice = advice_on(run, input);
   save(run, input.output);
   if (!arguments.map.empty() && map && map->size() > 0)
     run.map_files = write_map(arguments.map, *map, arguments.map_tile);

@@ -147,8 +147,9 @@ std::string summary_text(const OdometryRun& run) {
   if (!mostly_tracked(run)) text += "warning    less than half of the frames could be tracked\n";
   if (num_segments(run) > 1)
     text += fmt::format(
-        "warning    the camera was lost: the trajectory has {} segments with no measured motion between them\n",
+        "warning    the sensor was lost: the trajectory has {} segments with no measured motion between them\n",
         num_segments(run));
+  if (!run.advice.empty()) text += fmt::format("warning    {}\n", run.advice);
   if (run.evaluation) text += evaluation_text(*run.evaluation);
   if (!run.evaluation_problem.empty()) text += fmt::format("truth      not compared: {}\n", run.evaluation_problem);
   return text;

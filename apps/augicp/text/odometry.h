@@ -28,6 +28,7 @@ struct OdometryRun {
   std::string evaluation_problem;  // why there is no evaluation although a truth was given
   std::string point_times = {};    // of a LiDAR: how the times of its points are known; else empty
   std::string ended_early = {};    // why frames at the end were left out; else empty
+  std::string advice = {};         // why it may have failed from the start
   std::string map_files = {};      // that were written, for people
   int interrupted_code = 0;        // the exit code of a signal that ended it; else 0
 };
