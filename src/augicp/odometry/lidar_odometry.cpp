@@ -31,8 +31,8 @@ constexpr double kMaxVoxel = 0.7;
 // How fast the usual share of points on the map's surfaces follows the last scans'.
 constexpr double kForgetting = 0.1;
 
-// Where a smaller share of a scan's points lies on the map's surfaces, the pose does not convince, whatever is usual: the
-// usual share sinks with the poses that go wrong. Scans of real sensors have 0.34 and more.
+// Where a smaller share of a scan's points lies on the map's surfaces, the pose does not convince, whatever is usual:
+// the usual share sinks with the poses that go wrong. Scans of real sensors have 0.34 and more.
 constexpr double kLeastAgreement = 0.25;
 
 // Keyframes that only rotated are not remembered for the self-check, voxels.
