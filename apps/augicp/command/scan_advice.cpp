@@ -14,8 +14,7 @@ namespace {
 // No LiDAR sees most of its points farther away than half of this, metres. Millimetres make a room ten times as large.
 constexpr double kMaxExtent = 2000.0;
 
-// A sensor stands among its points. The nearest of those of a part of a room, seen from outside, are this many extents
-// away.
+// A sensor stands among its points, so that the nearest tenth of them is nearer than the extent of the scan.
 constexpr double kMaxDistancePerExtent = 1.0;
 constexpr double kNearQuantile = 0.1;
 

@@ -95,8 +95,7 @@ bool convinces(const std::vector<AlignResult>& results) {
 // field, or upside down. Then that of the guess stays first.
 std::vector<AlignResult> best_at_guess_first(std::vector<AlignResult> results, const Guess& guess) {
   const auto best = std::min_element(results.begin(), results.end(), is_better);
-  if (!guess || best->status != AlignStatus::Degenerate || !has_left_along_free(*best, *guess))
-    std::iter_swap(results.begin(), best);
+  if (!guess || best->doubts != std::vector<Doubt>{Doubt::LeftGuess}) std::iter_swap(results.begin(), best);
   return results;
 }
 

@@ -135,7 +135,7 @@ Testimony Judge::testimony(const Side& side, const PosedCloud& other, bool is_fa
   if (!testimony.knows_free_space) testimony.contradicting = contradicting_share(side.asked, of_point, other);
   if (!on_planes_of_source_.empty())
     testimony.off_planes = agreement_off_planes(of_point, side.on_planes);
-  else if (is_far_from_guess)  // planes are asked about also if the free space is known: those of another room fit, too
+  else if (is_far_from_guess)  // although the free space is known: the planes of another room fit as well
     testimony.off_planes =
         agreement_off_planes(of_point, on_large_planes(side.asked, kDistancePerRadius * other.radius));
   return testimony;

@@ -51,7 +51,7 @@ std::optional<std::vector<std::uint64_t>> packed(const std::vector<Place>& place
   return numbers;
 }
 
-// The points by their places; those of one place in ascending order.
+// The indices of the points, sorted by place, and within a place in ascending order.
 std::vector<std::uint32_t> sorted_by_place(const std::vector<Place>& places) {
   std::vector<std::uint32_t> order(places.size());
   if (auto numbers = packed(places)) {
