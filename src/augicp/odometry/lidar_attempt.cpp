@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How LidarOdometry registers a scan: prepared, aligned to the map, searched for, deskewed or as it came.
+// How LidarOdometry registers a scan: to the map from where it is expected, searched for, and again once straightened.
 #include "augicp/odometry/lidar_attempt.h"
 
 #include <algorithm>
@@ -7,20 +7,13 @@
 #include <cmath>
 #include <utility>
 
-#include "augicp/cloud/voxel_grid.h"
 #include "augicp/odometry/surface_agreement.h"
-#include "augicp/registration/far_outliers.h"
 #include "augicp/registration/judge.h"
 #include "augicp/registration/registration.h"
 #include "augicp/trust/covariance.h"
 
 namespace augicp {
 namespace {
-
-// Points of one scan enter the map once in a cell of this part of a voxel, so that a near surface does not outweigh the
-// others; those that are registered are once in a cell of half a voxel.
-constexpr double kCellsPerVoxel = 4.0;
-constexpr double kSourceCellsPerVoxel = 2.0;
 
 // Before any motion is known, the gate is this wide, voxels: a car moves by some metres between two scans.
 constexpr double kFirstGate = 4.0;
@@ -29,10 +22,6 @@ constexpr double kGatePerError = 3.0;
 
 // A gate wider than this many of the least ones is closed in two steps.
 constexpr double kWideGate = 1.25;
-
-// Another start, or another motion during the sweep, is better if it brings this many times the points onto surfaces.
-// Where motions are free, all fit equally well, and the prediction is the better guess.
-constexpr double kClearGain = 1.02;
 
 // The kernel's least width, voxels: at the first step the right pairs are as far apart as the prediction is wrong.
 constexpr double kMinKernel = 0.05;
@@ -54,49 +43,10 @@ constexpr double kMinRotationStep = 5e-5;
 // twice, three times. The motion found with a wrong one is still wrong by a part of it.
 constexpr double kRedoVoxels[] = {0.01, 0.05, 0.05};
 
-// Two motions that put points at most this far apart, voxels, need no new choice of points: this is one cell of the
-// map.
-constexpr double kSameCellsVoxels = 0.25;
-
 // A sensor that has moved by more than this since the last scan, voxels, does not stand still.
 constexpr double kStillVoxels = 0.05;
 
-// Two points share the voxel from which their directions come up to this far apart, voxels.
-constexpr double kCorrelationVoxels = 2.0;
-
 }  // namespace
-
-LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepShares& shares,
-                                               const SweepMotion& motion) const {
-  Attempt attempt;
-  const bool is_skewed = !shares.empty();
-  Cloud cloud = is_skewed ? without_skew(scan, shares, motion, options_.num_threads) : scan;
-  if (is_skewed) attempt.motion = motion, cloud.weights = shares;  // with which they are downsampled
-  drop_far_outliers(cloud, kReachVoxels * voxel_size_);
-  attempt.fine = downsample(cloud, voxel_size_ / kCellsPerVoxel);
-  attempt.fine.directions.clear(), attempt.fine.structures.clear();
-  attempt.source = downsample(attempt.fine, voxel_size_ / kSourceCellsPerVoxel);
-  SurfaceMapOptions of_one_scan;
-  of_one_scan.voxel_size = voxel_size_;
-  SurfaceMap own(of_one_scan);
-  own.add(attempt.fine, Rigid3{});
-  own.describe(attempt.source, Rigid3{});
-  if (is_skewed) attempt.fine_shares.swap(attempt.fine.weights), attempt.source_shares.swap(attempt.source.weights);
-  return attempt;
-}
-
-// The same scan, straightened with another motion. Where this hardly moves points, those chosen before are moved: each
-// with the share of the point nearest to its cell's mean.
-LidarOdometry::Attempt LidarOdometry::straightened(Attempt attempt, const Cloud& scan, const SweepShares& shares,
-                                                   const SweepMotion& motion) const {
-  const SweepMotion before = *attempt.motion;
-  if (bending_between(before, motion, typical_distance(voxel_size_)) > kSameCellsVoxels * voxel_size_)
-    return prepared(scan, shares, motion);
-  attempt.fine = straightened_again(attempt.fine, attempt.fine_shares, before, motion, options_.num_threads);
-  attempt.source = straightened_again(attempt.source, attempt.source_shares, before, motion, options_.num_threads);
-  attempt.motion = motion;
-  return attempt;
-}
 
 AlignOptions LidarOdometry::align_options() const {
   AlignOptions align_by;
@@ -232,6 +182,11 @@ LidarOdometry::Attempt LidarOdometry::started(double stamp_s, const Cloud& scan,
       before_last_ ? options_.gate_voxels + kGatePerError * prediction_error_ / voxel_size_ : kFirstGate;
   const bool is_trusted = before_last_ && spans_since_last(stamp_s) <= kTrustedSpans;
   Attempt attempt = from({guess, motion_of_sweep(stamp_s, guess), gate, is_trusted}, scan, shares);
+  if (last_shown_) {  // its accelerations may have ended
+    const Rigid3 even = predicted_evenly(stamp_s);
+    Attempt evenly = from({even, motion_of_sweep(stamp_s, even), gate, is_trusted}, scan, shares);
+    if (evenly.agreement > attempt.agreement) attempt = std::move(evenly);
+  }
   if (!before_last_ || (is_convincing(attempt) && is_trusted)) return attempt;
   Attempt at_rest = from({last_->world_from_camera, SweepMotion{}, kFirstGate, false}, scan, shares);
   return at_rest.agreement > kClearGain * attempt.agreement ? at_rest : attempt;
@@ -251,7 +206,7 @@ LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& sc
     if (attempt.agreement > kClearGain * again.agreement) break;  // after a gap the mean motion may be wrong
     attempt = std::move(again);
   }
-  return attempt;
+  return shares.empty() ? attempt : straightened_by_itself(std::move(attempt), stamp_s, scan, shares);
 }
 
 }  // namespace augicp

@@ -16,6 +16,7 @@ struct LidarOdometry::Attempt {
   double agreement = 0.0, rmse = 0.0;
   int iterations = 0;
   std::optional<SweepMotion> motion;       // with which it was straightened
+  bool shows_motion = false;               // that is what its own points show, see shown_motion.h
   SweepShares fine_shares, source_shares;  // of their points; empty if it was not
 };
 
@@ -29,6 +30,13 @@ struct LidarOdometry::Start {
 
 // No LiDAR measures farther: 26 km with the smallest voxels. The cells of what is nearer have keys of 21 bits an axis.
 inline constexpr double kReachVoxels = 1 << 17;
+
+// Another start, or another motion during the sweep, is better if it brings this many times the points onto surfaces.
+// Where motions are free, all fit equally well, and the prediction is the better guess.
+inline constexpr double kClearGain = 1.02;
+
+// Two points share the voxel from which their directions come up to this far apart, voxels.
+inline constexpr double kCorrelationVoxels = 2.0;
 
 // The distance of a typical point, voxels: a rotation counts as what it moves a point there.
 inline constexpr double kTypicalDistanceVoxels = 15.0;

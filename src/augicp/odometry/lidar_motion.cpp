@@ -17,6 +17,9 @@ constexpr int kMaxStartRounds = 4;
 // Of the last sweep in the average of accelerations.
 constexpr double kShareOfLast = 0.5;
 
+// An acceleration found in one sweep says nothing of later than this.
+constexpr double kTrustedSweeps = 1.5;
+
 }  // namespace
 
 // The time since the last pose, in times that the last motion took. REQUIRES: before_last_.
@@ -29,8 +32,16 @@ bool LidarOdometry::is_after_pause(double stamp_s) const {
   return before_last_ && spans_since_last(stamp_s) > kForgottenSpans;
 }
 
-// Constant velocity, in the sensor's frame.
+// By the motion that the last scan's own points showed, or by constant velocity.
 Rigid3 LidarOdometry::predicted(double stamp_s) const {
+  if (!last_shown_) return predicted_evenly(stamp_s);
+  const double passed_s = stamp_s - last_->stamp_s, sweeps = passed_s / sweep_s(passed_s);
+  if (sweeps > kTrustedSweeps) return predicted_evenly(stamp_s);
+  return last_->world_from_camera * last_shown_->middle_from(0.5 + sweeps);
+}
+
+// Constant velocity, in the sensor's frame.
+Rigid3 LidarOdometry::predicted_evenly(double stamp_s) const {
   if (!before_last_) return last_->world_from_camera;
   const Rigid3 motion = inverse(before_last_->world_from_camera) * last_->world_from_camera;
   return last_->world_from_camera * part_of(motion, spans_since_last(stamp_s));

@@ -147,7 +147,8 @@ void LidarOdometry::start_segment(const Cloud& scan, const SweepShares& shares, 
   if (options_.deskew && !shares.empty())
     start_scan_ = TimedScan{scan, shares, {report.stamp_s, report.world_from_camera}, {}};
   skew_reference_ = skew_votes_.is_decided() ? std::nullopt : start_scan_;
-  usual_agreement_ = prediction_error_ = 0.0;
+  usual_agreement_ = prediction_error_ = unevenness_ = 0.0;
+  last_shown_.reset();
   before_last_.reset();
   beyond_arc_ = {};
   is_last_degenerate_ = false;
@@ -241,8 +242,14 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
   const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
   // A prediction across a pause that was right shows that the sensor goes on as it moved.
   const bool has_paused = is_after_pause(report.stamp_s) && error > options_.gate_voxels * voxel_size_;
-  if (!has_paused) prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
+  const double uneven =
+      motion_between(predicted_evenly(report.stamp_s), attempt.world_from_sensor, typical_distance(voxel_size_));
+  if (!has_paused) {
+    prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
+    unevenness_ = std::max(uneven, (1.0 - kForgetting) * unevenness_);
+  }
   beyond_arc_ = beyond_arc(report.stamp_s, attempt.world_from_sensor);
+  last_shown_ = attempt.shows_motion ? attempt.motion : std::nullopt;
   is_last_degenerate_ = report.status == FrameStatus::Degenerate;
   before_last_ = has_paused ? std::nullopt : last_;
   last_ = StampedPose{report.stamp_s, attempt.world_from_sensor};

@@ -161,6 +161,7 @@ class LidarOdometry {
   double spans_since_last(double stamp_s) const;
   bool is_after_pause(double stamp_s) const;
   Rigid3 predicted(double stamp_s) const;
+  Rigid3 predicted_evenly(double stamp_s) const;
   Accelerations beyond_arc(double stamp_s, const Rigid3& world_from_sensor) const;
   double sweep_s(double passed_s) const;
   SweepMotion motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const;
@@ -181,6 +182,7 @@ class LidarOdometry {
   Attempt from(const Start& start, const Cloud& scan, const SweepShares& shares) const;
   Attempt started(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
+  Attempt straightened_by_itself(Attempt attempt, double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   bool is_taken_as_skewed(const SweepShares& shares) const;
   bool may_show_skew(double stamp_s, const SweepShares& shares) const;
   SkewTrial tried_skew(const TimedScan& scan);
@@ -217,7 +219,9 @@ class LidarOdometry {
   Accelerations beyond_arc_;                       // averaged
   std::optional<double> last_stamp_s_;             // of any scan
   double shortest_gap_s_ = 0.0;
-  double prediction_error_ = 0.0;  // metres at the distance of a typical point, of the last scans
+  std::optional<SweepMotion> last_shown_;  // of the last scan, where its own points showed it
+  // Of the last scans, metres at the distance of a typical point: how far predictions were off, and constant velocity.
+  double prediction_error_ = 0.0, unevenness_ = 0.0;
   double usual_agreement_ = 0.0;
   SkewVotes skew_votes_;
   std::optional<TimedScan> skew_reference_;  // until the votes have decided

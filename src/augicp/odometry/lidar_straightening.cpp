@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// How LidarOdometry prepares a scan: straightened with a motion, downsampled, and straightened again with another, or
+// with the one that its own points show.
+#include <algorithm>
+#include <utility>
+
+#include "augicp/cloud/voxel_grid.h"
+#include "augicp/odometry/lidar_attempt.h"
+#include "augicp/odometry/shown_motion.h"
+#include "augicp/registration/far_outliers.h"
+
+namespace augicp {
+namespace {
+
+// Points of one scan enter the map once in a cell of this part of a voxel, so that a near surface does not outweigh the
+// others; those that are registered are once in a cell of half a voxel.
+constexpr double kCellsPerVoxel = 4.0;
+constexpr double kSourceCellsPerVoxel = 2.0;
+
+// Two motions that put points at most this far apart, voxels, need no new choice of points: this is one cell of the
+// map.
+constexpr double kSameCellsVoxels = 0.25;
+
+// A sweep's own points are asked for its motion where constant velocity is off by more than this, voxels; it is
+// straightened with what they show while that moves its points by more than the second.
+constexpr double kUnevenVoxels = 0.25;
+constexpr double kLeastBendVoxels = 0.05;
+constexpr int kMaxOwnRounds = 5;
+
+}  // namespace
+
+LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepShares& shares,
+                                               const SweepMotion& motion) const {
+  Attempt attempt;
+  const bool is_skewed = !shares.empty();
+  Cloud cloud = is_skewed ? without_skew(scan, shares, motion, options_.num_threads) : scan;
+  if (is_skewed) attempt.motion = motion, cloud.weights = shares;  // with which they are downsampled
+  drop_far_outliers(cloud, kReachVoxels * voxel_size_);
+  attempt.fine = downsample(cloud, voxel_size_ / kCellsPerVoxel);
+  attempt.fine.directions.clear(), attempt.fine.structures.clear();
+  attempt.source = downsample(attempt.fine, voxel_size_ / kSourceCellsPerVoxel);
+  SurfaceMapOptions of_one_scan;
+  of_one_scan.voxel_size = voxel_size_;
+  SurfaceMap own(of_one_scan);
+  own.add(attempt.fine, Rigid3{});
+  own.describe(attempt.source, Rigid3{});
+  if (is_skewed) attempt.fine_shares.swap(attempt.fine.weights), attempt.source_shares.swap(attempt.source.weights);
+  return attempt;
+}
+
+// The same scan, straightened with another motion. Where this hardly moves points, those chosen before are moved: each
+// with the share of the point nearest to its cell's mean.
+LidarOdometry::Attempt LidarOdometry::straightened(Attempt attempt, const Cloud& scan, const SweepShares& shares,
+                                                   const SweepMotion& motion) const {
+  const SweepMotion before = *attempt.motion;
+  if (bending_between(before, motion, typical_distance(voxel_size_)) > kSameCellsVoxels * voxel_size_)
+    return prepared(scan, shares, motion);
+  attempt.fine = straightened_again(attempt.fine, attempt.fine_shares, before, motion, options_.num_threads);
+  attempt.source = straightened_again(attempt.source, attempt.source_shares, before, motion, options_.num_threads);
+  attempt.motion = motion;
+  return attempt;
+}
+
+// With the motion that the scan's own points show, where constant velocity was off and while more of them then lie on
+// surfaces. Where motions are free, they show nothing.
+LidarOdometry::Attempt LidarOdometry::straightened_by_itself(Attempt attempt, double stamp_s, const Cloud& scan,
+                                                             const SweepShares& shares) const {
+  const double typical = typical_distance(voxel_size_);
+  const double unevenness =
+      std::max(unevenness_, motion_between(predicted_evenly(stamp_s), attempt.world_from_sensor, typical));
+  if (unevenness < kUnevenVoxels * voxel_size_ || attempt.result.status == AlignStatus::Degenerate) return attempt;
+  for (int round = 0; round < kMaxOwnRounds; ++round) {
+    const Cloud& target = matcher_->target();
+    const PosedPairs posed{attempt.source, target, attempt.result.pairs,
+                           without_origins(attempt.world_from_sensor, attempt.source, target)};
+    const MotionPrior prior{*attempt.motion, unevenness, typical, kCorrelationVoxels * voxel_size_};
+    const std::optional<SweepMotion> shown = shown_motion(posed, attempt.source_shares, prior);
+    if (!shown || bending_between(*attempt.motion, *shown, typical) < kLeastBendVoxels * voxel_size_) break;
+    Attempt again = straightened(attempt, scan, shares, *shown);
+    align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, again);
+    again.iterations += attempt.iterations;
+    if (again.agreement < kClearGain * attempt.agreement) break;
+    attempt = std::move(again);
+    attempt.shows_motion = true;
+  }
+  return attempt;
+}
+
+}  // namespace augicp
