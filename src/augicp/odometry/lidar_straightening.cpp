@@ -22,10 +22,11 @@ constexpr double kSourceCellsPerVoxel = 2.0;
 constexpr double kSameCellsVoxels = 0.25;
 
 // A sweep's own points are asked for its motion where constant velocity is off by more than this, voxels; it is
-// straightened with what they show while that moves its points by more than the second.
+// straightened with what they show while that moves its points by more than the second. Each round finds a part of what
+// the one before has left.
 constexpr double kUnevenVoxels = 0.25;
-constexpr double kLeastBendVoxels = 0.05;
-constexpr int kMaxOwnRounds = 5;
+constexpr double kLeastBendVoxels = 0.01;
+constexpr int kMaxOwnRounds = 10;
 
 }  // namespace
 
@@ -79,7 +80,7 @@ LidarOdometry::Attempt LidarOdometry::straightened_by_itself(Attempt attempt, do
     Attempt again = straightened(attempt, scan, shares, *shown);
     align_to_map(attempt.world_from_sensor, options_.gate_voxels * voxel_size_, again);
     again.iterations += attempt.iterations;
-    if (again.agreement < kClearGain * attempt.agreement) break;
+    if (again.agreement < (round == 0 ? kClearGain : 1.0) * attempt.agreement) break;
     attempt = std::move(again);
     attempt.shows_motion = true;
   }
