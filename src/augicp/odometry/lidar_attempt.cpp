@@ -187,14 +187,14 @@ LidarOdometry::Attempt LidarOdometry::started(double stamp_s, const Cloud& scan,
     Attempt evenly = from({even, motion_of_sweep(stamp_s, even), gate, is_trusted}, scan, shares);
     if (evenly.agreement > attempt.agreement) attempt = std::move(evenly);
   }
-  if (!before_last_ || (is_convincing(attempt) && is_trusted)) return attempt;
+  if (!before_last_ || (is_convincing(stamp_s, attempt) && is_trusted)) return attempt;
   Attempt at_rest = from({last_->world_from_camera, SweepMotion{}, kFirstGate, false}, scan, shares);
   return at_rest.agreement > kClearGain * attempt.agreement ? at_rest : attempt;
 }
 
 LidarOdometry::Attempt LidarOdometry::registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const {
   Attempt attempt = started(stamp_s, scan, shares);
-  if (options_.search && !is_convincing(attempt) && is_search_due()) search(attempt);
+  if (options_.search && !is_convincing(stamp_s, attempt) && is_search_due()) search(attempt);
   for (const double least_voxels : kRedoVoxels) {
     const SweepMotion found = motion_of_sweep(stamp_s, attempt.world_from_sensor);
     if (shares.empty() ||

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <random>
 #include <vector>
 
 #include "augicp/geometry/rotation.h"
@@ -128,6 +129,30 @@ TEST(LidarConditions, SweepsOfFastTurnsAreStraightenedToACentimetre) {
   for (const PoseInstant pose_at : {PoseInstant::Begin, PoseInstant::End})
     EXPECT_LT(straightening_error(line, on_the_line, pose_at), 0.02) << name_of(pose_at);
   EXPECT_LT(straightening_error(arc, tracked(arc).back(), PoseInstant::Middle), 0.01);
+}
+
+// Leaves: two of five points are anywhere on their rays, within a twentieth of their range.
+Cloud among_leaves(Cloud scan, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<float> ratio(0.95f, 1.05f), share(0.0f, 1.0f);
+  for (Vec3f& point : scan.points)
+    if (share(generator) < 0.4f) point *= ratio(generator);
+  return scan;
+}
+
+TEST(LidarConditions, StandingAmongLeavesIsTracked) {
+  LidarOdometry odometry;
+  synthetic::Lidar lidar = street_lidar();
+  lidar.num_azimuths = 1000;
+  const Rigid3 place = street().scene.world_from_camera;
+  for (unsigned k = 0; k < 5; ++k) {
+    const Cloud scan = among_leaves(synthetic::scan(street().scene, lidar, place, k + 1), k + 1);
+    const FrameReport report = odometry.add(k * kSweep_s, scan);
+    if (k == 0) continue;
+    EXPECT_EQ(report.status, FrameStatus::Tracked);
+    EXPECT_LT(report.overlap, 0.25);
+    EXPECT_THAT(report.world_from_camera, NearPose(Rigid3{}, 0.003, 0.03));
+  }
 }
 
 // In the hand: the rate of the turn changes by 180 degrees per second within a tenth of a second. Each sweep shows

@@ -17,6 +17,9 @@ constexpr int kMaxStartRounds = 4;
 // Of the last sweep in the average of accelerations.
 constexpr double kShareOfLast = 0.5;
 
+// Motion is uneven where constant velocity is off by more than this, voxels.
+constexpr double kUnevenVoxels = 0.25;
+
 // An acceleration found in one sweep says nothing of later than this.
 constexpr double kTrustedSweeps = 1.5;
 
@@ -45,6 +48,16 @@ Rigid3 LidarOdometry::predicted_evenly(double stamp_s) const {
   if (!before_last_) return last_->world_from_camera;
   const Rigid3 motion = inverse(before_last_->world_from_camera) * last_->world_from_camera;
   return last_->world_from_camera * part_of(motion, spans_since_last(stamp_s));
+}
+
+// How far constant velocity is off at this pose, metres at the distance of a typical point.
+double LidarOdometry::unevenness_at(double stamp_s, const Rigid3& world_from_sensor) const {
+  return motion_between(predicted_evenly(stamp_s), world_from_sensor, typical_distance(voxel_size_));
+}
+
+// Here or shortly before.
+bool LidarOdometry::is_uneven(double stamp_s, const Rigid3& world_from_sensor) const {
+  return std::max(unevenness_, unevenness_at(stamp_s, world_from_sensor)) > kUnevenVoxels * voxel_size_;
 }
 
 // Of a sweep this long after the last pose.
@@ -102,7 +115,7 @@ void LidarOdometry::straighten_start(double stamp_s, const Cloud& scan, const Sw
   const double least = (is_third ? kRedoByThirdVoxels : kRedoBySecondVoxels) * voxel_size_;
   for (int round = 0; start_scan_ && round < kMaxStartRounds && !is_last_degenerate_; ++round) {
     const Attempt attempt = registered(stamp_s, scan, shares);
-    if (status_of(attempt) == FrameStatus::Lost) break;
+    if (status_of(stamp_s, attempt) == FrameStatus::Lost) break;
     const SweepMotion found = motion_of_start(stamp_s, attempt.world_from_sensor);
     if (bending_between(found, start_scan_->motion, typical_distance(voxel_size_)) < least) break;
     start_scan_->motion = found;

@@ -162,6 +162,8 @@ class LidarOdometry {
   bool is_after_pause(double stamp_s) const;
   Rigid3 predicted(double stamp_s) const;
   Rigid3 predicted_evenly(double stamp_s) const;
+  double unevenness_at(double stamp_s, const Rigid3& world_from_sensor) const;
+  bool is_uneven(double stamp_s, const Rigid3& world_from_sensor) const;
   Accelerations beyond_arc(double stamp_s, const Rigid3& world_from_sensor) const;
   double sweep_s(double passed_s) const;
   SweepMotion motion_of_sweep(double stamp_s, const Rigid3& world_from_sensor) const;
@@ -178,7 +180,7 @@ class LidarOdometry {
   void align_to_map(const Rigid3& guess, double gate, Attempt& attempt,
                     const std::optional<FreeDirections>& free = {}) const;
   std::optional<Mat6d> covariance_of(const AlignResult& result, const Cloud& source) const;
-  bool is_convincing(const Attempt& attempt) const;
+  bool is_convincing(double stamp_s, const Attempt& attempt) const;
   Attempt from(const Start& start, const Cloud& scan, const SweepShares& shares) const;
   Attempt started(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
   Attempt registered(double stamp_s, const Cloud& scan, const SweepShares& shares) const;
@@ -198,7 +200,7 @@ class LidarOdometry {
   void settle(Attempt& attempt);
   std::optional<DriftCheck> checked(const Attempt& attempt) const;
   std::optional<Mat6d> covariance_at_sensor(const Attempt& attempt) const;
-  FrameStatus status_of(const Attempt& attempt) const;
+  FrameStatus status_of(double stamp_s, const Attempt& attempt) const;
   void remove_seen_through(const Attempt& attempt);
   void merge(double stamp_s, const Attempt& attempt);
   void describe(const Attempt& attempt, FrameReport& report) const;

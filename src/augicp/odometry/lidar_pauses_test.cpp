@@ -105,8 +105,6 @@ INSTANTIATE_TEST_SUITE_P(, LidarPauses,
                                            Pause{"TheClockJumps", 60.0, driving, 0.0, true}),
                          [](const auto& tested) { return tested.param.name; });
 
-// The sensor is moved by hand while other scans arrive: only a search finds it. Lost scans in a row are searched for at
-// the first, second, fourth and eighth, so that a long loss costs four searches.
 // Thrown about in a room, by up to 70 degrees and 1 m a scan. The usual share of points on surfaces falls with the
 // scans that are followed to wrong places.
 TEST(LidarSearches, ScansThatHardlyShareASurfaceAreNotTracked) {
@@ -127,6 +125,8 @@ TEST(LidarSearches, ScansThatHardlyShareASurfaceAreNotTracked) {
   }
 }
 
+// The sensor is moved by hand while other scans arrive: only a search finds it. Lost scans in a row are searched for at
+// the first, second, fourth and eighth, so that a long loss costs four searches.
 TEST(LidarSearches, OfLostScansInARowFewerAndFewerAreSearchedFor) {
   const testing::Scene street = synthetic::street(5), elsewhere = synthetic::open_field();
   const Rigid3 moved = street.world_from_camera * Rigid3{rotation_exp({0.0, 0.0, 1.2}), {0.5, 0.3, 0.0}};

@@ -48,7 +48,7 @@ LidarOdometry::Attempt LidarOdometry::registered_as_it_shows(double stamp_s, con
     return TimedScan{scan, shares, {stamp_s, pose}, motion_of_sweep(stamp_s, pose)};
   };
   Attempt attempt = as_believed();
-  if (!may_show_skew(stamp_s, shares) || status_of(attempt) != FrameStatus::Tracked) return attempt;
+  if (!may_show_skew(stamp_s, shares) || status_of(stamp_s, attempt) != FrameStatus::Tracked) return attempt;
   trial = tried_skew(timed(attempt));
   if (!trial->is_bent) return attempt;
   const bool was_skewed = skew_votes_.is_skewed(), is_free = start_scan_ || !has_bent_scans_;

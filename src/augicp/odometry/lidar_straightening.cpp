@@ -21,10 +21,8 @@ constexpr double kSourceCellsPerVoxel = 2.0;
 // map.
 constexpr double kSameCellsVoxels = 0.25;
 
-// A sweep's own points are asked for its motion where constant velocity is off by more than this, voxels; it is
-// straightened with what they show while that moves its points by more than the second. Each round finds a part of what
-// the one before has left.
-constexpr double kUnevenVoxels = 0.25;
+// While what a sweep's own points show moves them by more than this, voxels, it is straightened again. Each round finds
+// a part of what the one before has left.
 constexpr double kLeastBendVoxels = 0.01;
 constexpr int kMaxOwnRounds = 10;
 
@@ -62,19 +60,18 @@ LidarOdometry::Attempt LidarOdometry::straightened(Attempt attempt, const Cloud&
   return attempt;
 }
 
-// With the motion that the scan's own points show, where constant velocity was off and while more of them then lie on
-// surfaces. Where motions are free, they show nothing.
+// With the motion that the scan's own points show, where motion is uneven and while more of them then lie on surfaces.
+// Where motions are free, they show nothing.
 LidarOdometry::Attempt LidarOdometry::straightened_by_itself(Attempt attempt, double stamp_s, const Cloud& scan,
                                                              const SweepShares& shares) const {
-  const double typical = typical_distance(voxel_size_);
-  const double unevenness =
-      std::max(unevenness_, motion_between(predicted_evenly(stamp_s), attempt.world_from_sensor, typical));
-  if (unevenness < kUnevenVoxels * voxel_size_ || attempt.result.status == AlignStatus::Degenerate) return attempt;
+  const Rigid3& found = attempt.world_from_sensor;
+  if (!is_uneven(stamp_s, found) || attempt.result.status == AlignStatus::Degenerate) return attempt;
+  const double typical = typical_distance(voxel_size_), sigma = std::max(unevenness_, unevenness_at(stamp_s, found));
   for (int round = 0; round < kMaxOwnRounds; ++round) {
     const Cloud& target = matcher_->target();
     const PosedPairs posed{attempt.source, target, attempt.result.pairs,
                            without_origins(attempt.world_from_sensor, attempt.source, target)};
-    const MotionPrior prior{*attempt.motion, unevenness, typical, kCorrelationVoxels * voxel_size_};
+    const MotionPrior prior{*attempt.motion, sigma, typical, kCorrelationVoxels * voxel_size_};
     const std::optional<SweepMotion> shown = shown_motion(posed, attempt.source_shares, prior);
     if (!shown || bending_between(*attempt.motion, *shown, typical) < kLeastBendVoxels * voxel_size_) break;
     Attempt again = straightened(attempt, scan, shares, *shown);
