@@ -84,10 +84,14 @@ struct FrameReport {
   // Of the LiDAR scans that were checked.
   std::optional<DriftCheck> drift;
 
-  std::string problem;  // in words, where the status is NoReadings or Unreadable, or the self-check contradicts
+  // In words, where the status is NoReadings, OutOfOrder or Unreadable, or the self-check contradicts.
+  std::string problem;
 };
 
 // The report on a frame whose data could not be used, and why.
 FrameReport unreadable_frame(double stamp_s, int segment, std::string problem);
+
+// The report on a frame whose stamp is not finite, or not after the last one.
+FrameReport frame_out_of_order(double stamp_s, int segment, const std::optional<double>& last_stamp_s);
 
 }  // namespace augicp

@@ -278,13 +278,8 @@ FrameReport LidarOdometry::add(double stamp_s, const Cloud& scan, const SweepSha
 FrameReport LidarOdometry::added(double stamp_s, const Cloud& scan, const SweepShares& shares) {
   require(shares.empty() || shares.size() == scan.size(), "shares", static_cast<double>(shares.size()),
           "must be none, or one a point");
-  if (!std::isfinite(stamp_s) || (last_stamp_s_ && stamp_s <= *last_stamp_s_)) {
-    FrameReport report;
-    report.stamp_s = stamp_s;
-    report.segment = segment_;
-    report.status = FrameStatus::OutOfOrder;
-    return report;
-  }
+  if (!std::isfinite(stamp_s) || (last_stamp_s_ && stamp_s <= *last_stamp_s_))
+    return frame_out_of_order(stamp_s, segment_, last_stamp_s_);
   const double before = shortest_gap_s_;
   if (last_stamp_s_) {
     const double gap_s = stamp_s - *last_stamp_s_;

@@ -203,7 +203,10 @@ TEST(LidarOdometry, TellsWhatIsWrongWithAScan) {
   LidarOdometry odometry(one_thread());
   EXPECT_EQ(odometry.add(0.0, Cloud{}).status, FrameStatus::NoReadings);
   EXPECT_EQ(odometry.add(1.0, drive()[0].cloud).status, FrameStatus::Started);
-  EXPECT_EQ(odometry.add(1.0, drive()[1].cloud).status, FrameStatus::OutOfOrder);
+  const FrameReport early = odometry.add(0.5, drive()[1].cloud), again = odometry.add(1.0, drive()[1].cloud);
+  EXPECT_EQ(early.status, FrameStatus::OutOfOrder);
+  EXPECT_EQ(early.problem, "its stamp, 0.500000 s, is not after 1.000000 s, that of a frame before it");
+  EXPECT_EQ(again.status, FrameStatus::OutOfOrder);
   EXPECT_EQ(odometry.add(std::numeric_limits<double>::quiet_NaN(), drive()[1].cloud).status, FrameStatus::OutOfOrder);
   EXPECT_THROW(odometry.add(2.0, drive()[1].cloud, {0.0f, 1.0f}), std::invalid_argument);
 }

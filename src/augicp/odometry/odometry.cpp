@@ -188,13 +188,8 @@ void Odometry::start_segment(const Scan& frame, FrameReport& report) {
 }
 
 FrameReport Odometry::add(double stamp_s, const Scan& frame, const std::stop_token& stop) {
-  if (!std::isfinite(stamp_s) || (last_stamp_s_ && stamp_s <= *last_stamp_s_)) {
-    FrameReport report;
-    report.stamp_s = stamp_s;
-    report.segment = segment_;
-    report.status = FrameStatus::OutOfOrder;
-    return report;
-  }
+  if (!std::isfinite(stamp_s) || (last_stamp_s_ && stamp_s <= *last_stamp_s_))
+    return frame_out_of_order(stamp_s, segment_, last_stamp_s_);
   const FrameReport report = placed(stamp_s, frame, stop);
   last_stamp_s_ = stamp_s;
   return report;

@@ -172,8 +172,12 @@ TEST(Odometry, IgnoresFramesOutOfOrder) {
   Odometry odometry(small_images());
   for (int k = 0; k < 6; ++k) odometry.add(k * kFramePeriod_s, frame(k));
   EXPECT_EQ(odometry.add(5 * kFramePeriod_s, frame(5)).status, FrameStatus::OutOfOrder);
-  EXPECT_EQ(odometry.add(2 * kFramePeriod_s, frame(2)).status, FrameStatus::OutOfOrder);
-  EXPECT_EQ(odometry.add(std::numeric_limits<double>::quiet_NaN(), frame(6)).status, FrameStatus::OutOfOrder);
+  const FrameReport early = odometry.add(2 * kFramePeriod_s, frame(2));
+  EXPECT_EQ(early.status, FrameStatus::OutOfOrder);
+  EXPECT_THAT(early.problem, ::testing::HasSubstr("is not after " + std::to_string(5 * kFramePeriod_s) + " s"));
+  const FrameReport never = odometry.add(std::numeric_limits<double>::quiet_NaN(), frame(6));
+  EXPECT_EQ(never.status, FrameStatus::OutOfOrder);
+  EXPECT_EQ(never.problem, "its stamp is not finite");
   const FrameReport next = odometry.add(6 * kFramePeriod_s, frame(6));
   EXPECT_EQ(next.status, FrameStatus::Tracked);
   EXPECT_THAT(next.world_from_camera, NearPose(first_from_camera(6), 0.01, 0.02));
