@@ -221,6 +221,65 @@ class Lidar(unittest.TestCase):
         self.assertGreater(len(tiles), 1)
         self.assertIn(f"{output / 'map_*.ply'} ({len(tiles)} tiles)", result.stdout)
 
+    def copied_scans(self, name):
+        folder = self.root / name
+        folder.mkdir()
+        for k in range(NUM_SCANS):
+            (folder / f"{k}.bin").write_bytes((self.scans / f"{k}.bin").read_bytes())
+        return folder
+
+    def tracked(self, folder, name, *words):
+        """The finished run, its rows and its metrics."""
+        output = self.root / name
+        result = run(folder, "--output", output, "--point-times", "none", *words)
+        return result, rows_of(output / "frames.csv"), json.loads((output / "metrics.json").read_text())
+
+    def test_a_scan_out_of_order_is_reported_and_the_run_goes_on(self):
+        folder = self.copied_scans("swapped")
+        times = [f"{0.1 * k:.1f}" for k in range(NUM_SCANS)]
+        times[4], times[5] = times[5], times[4]
+        (folder / "times.txt").write_text("\n".join(times) + "\n")
+        result, rows, metrics = self.tracked(folder, "swapped_run")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual([row["status"] for row in rows], ["started"] + ["tracked"] * 4 + ["out_of_order"] + ["tracked"] * 4)
+        self.assertIn("0.400000 s, is not after 0.500000 s", rows[5]["problem"])
+        self.assertEqual((metrics["num_out_of_order"], metrics["num_poses"]), (1, NUM_SCANS - 1))
+        self.assertIn("problem    its stamp, 0.400000 s", result.stdout)
+
+    def test_times_in_nanoseconds_are_read_as_such_and_said(self):
+        folder = self.copied_scans("nanoseconds")
+        for first, name in ((0, "relative"), (1403636579763555584, "unix")):
+            (folder / "times.txt").write_text("".join(f"{first + 100_000_000 * k}\n" for k in range(NUM_SCANS)))
+            result, rows, metrics = self.tracked(folder, f"ns_{name}", "--map-voxel", 0.3)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("times.txt: the stamps are read as nanoseconds", result.stderr)
+            self.assertEqual(result.stderr, "".join(f"augicp: warning: {warning}\n" for warning in metrics["warnings"]))
+            self.assertAlmostEqual(float(rows[-1]["stamp_s"]), first / 1e9 + 0.1 * (NUM_SCANS - 1), 5)
+        (folder / "times.txt").write_text("".join(f"{k}e15\n" for k in range(NUM_SCANS)))
+        refused = run(folder, "--output", self.root / "refused", "--point-times", "none")
+        self.assertEqual(refused.returncode, 3)
+        self.assertIn("times.txt: expected seconds, found stamps that are 1e+15 apart", refused.stderr)
+
+    def test_scans_of_another_kind_are_not_left_out_in_silence(self):
+        folder = self.copied_scans("mixed")
+        for name in ("7.pcd", "8.ply", "9.ply"):
+            (folder / name).write_text("")
+        result, rows, metrics = self.tracked(folder, "mixed_run")
+        words = "10 .bin scans are read, and 1 .pcd, 2 .ply left out"
+        self.assertIn(words, result.stderr)
+        self.assertIn(words, metrics["warnings"][0])
+        self.assertEqual(len(rows), NUM_SCANS)
+        self.assertEqual(run(folder, "--output", self.root / "mixed_quiet", "--point-times", "none", "--quiet").stderr, "")
+
+    def test_the_derived_voxel_size_is_recorded(self):
+        result, _, metrics = self.tracked(self.scans, "derived", "--report", self.root / "derived.html")
+        voxel = metrics["map_voxel"]
+        self.assertTrue(voxel["derived"] and 0.2 <= voxel["size_m"] <= 0.7)
+        for text in (result.stdout, (self.root / "derived.html").read_text(), (self.root / "derived/config.toml").read_text()):
+            self.assertIn(f"{voxel['size_m']:.4g} m, derived from the first scan", text)
+        _, _, metrics = self.tracked(self.scans, "given", "--map-voxel", 0.35)
+        self.assertEqual(metrics["map_voxel"], {"size_m": 0.35, "derived": False})
+
     def test_the_metrics_name_the_sequence(self):
         self.assertEqual(json.loads((self.output / "metrics.json").read_text())["sequence"], str(self.scans))
 

@@ -148,7 +148,8 @@ Trajectory trajectory_from(const py::object& given, const std::string& name) {
 
 void warn(const std::vector<std::string>& warnings, const std::string& path) {
   for (const std::string& warning : warnings)
-    if (PyErr_WarnEx(PyExc_UserWarning, (path + ": " + warning).c_str(), 1) != 0) throw py::error_already_set();
+    if (PyErr_WarnEx(PyExc_UserWarning, (path.empty() ? warning : path + ": " + warning).c_str(), 1) != 0)
+      throw py::error_already_set();
 }
 
 }  // namespace augicp::python

@@ -17,7 +17,7 @@ struct PyTrajectory {
 // An augicp.Trajectory, or the path of one in TUM's form. Throws WrongType or IoError; name is that of the argument.
 Trajectory trajectory_from(const pybind11::object& given, const std::string& name);
 
-// One Python warning each.
+// One Python warning each, behind the path unless that is empty.
 void warn(const std::vector<std::string>& warnings, const std::string& path);
 
 }  // namespace augicp::python

@@ -30,7 +30,9 @@ constexpr const char* kReadDoc =
 folder of rosbag2).
 
 topic: of a recording; None: the only one of clouds. scans_per_s: for scans without stamps. No scan of a folder is opened; a
-recording is read once, for its stamps. Returns a ScanSequence. Raises FileError.
+recording is read once, for its stamps. Scans that are left out, because there are more of another kind, and stamps in another
+unit than seconds are a UserWarning. Stamps may have any order: LidarOdometry tells which scans are out of it. Returns a
+ScanSequence. Raises FileError.
 
     odometry = augicp.LidarOdometry()
     for stamp, cloud, times in augicp.read_scan_sequence("drive.mcap", topic="/points"):
@@ -126,7 +128,10 @@ std::vector<std::string> paths_of(const ScanSequence& sequence) {
 }
 
 ScanSequence read(const std::filesystem::path& path, const std::optional<std::string>& topic, double scans_per_s) {
-  return without_gil([&](const std::stop_token&) { return read_scan_sequence(path, scans_per_s, topic.value_or("")); });
+  ScanSequence sequence =
+      without_gil([&](const std::stop_token&) { return read_scan_sequence(path, scans_per_s, topic.value_or("")); });
+  warn(sequence.warnings, {});
+  return sequence;
 }
 
 }  // namespace
@@ -140,6 +145,8 @@ void bind_scans(py::module_& module) {
       "paths", &paths_of,
       "list of the scans' paths, which stand for clouds everywhere: \"drive.mcap#/points#12\" is "
       "the cloud 12, from 0, of a recording.");
+  type.def_readonly("warnings", &ScanSequence::warnings,
+                    "list of str: scans left out, and stamps in another unit than seconds.");
   type.def("__len__", [](const ScanSequence& sequence) { return sequence.scans.size(); });
   type.def("__iter__", &iterator_of);
   type.def("__repr__", [](const ScanSequence& sequence) {

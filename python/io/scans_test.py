@@ -118,6 +118,27 @@ def test_scans_of_a_folder(tmp_path):
         augicp.read_scan_sequence(tmp_path, topic="/points")
 
 
+def test_what_a_folder_leaves_out_is_a_warning(tmp_path):
+    for k in range(3):
+        np.zeros((200, 4), "<f4").tofile(tmp_path / f"{k}.bin")
+    augicp.write(tmp_path / "map.ply", points_of(0))
+    (tmp_path / "times.txt").write_text("0\n200000000\n100000000\n")
+    with pytest.warns(UserWarning) as caught:
+        sequence = augicp.read_scan_sequence(tmp_path)
+    assert [str(warning.message) for warning in caught] == sequence.warnings
+    left_out, unit = sequence.warnings
+    assert "3 .bin scans are read, and 1 .ply left out" in left_out and "read as nanoseconds" in unit
+    assert np.allclose(sequence.stamps, [0, 0.2, 0.1])
+
+
+def test_what_a_folder_of_images_leaves_out_is_a_warning(tmp_path):
+    for name in ("1.png", "2.png", "1.pgm"):
+        (tmp_path / name).write_bytes(b"")
+    with pytest.warns(UserWarning, match="2 .png images are read, and left out are 1 .pgm"):
+        sequence = augicp.read_depth_sequence(tmp_path)
+    assert len(sequence.warnings) == 1
+
+
 def test_the_topic_is_asked_for(tmp_path):
     path = write_mcap(tmp_path / "two.mcap", {"/a": [message_of(0, False)], "/b": [message_of(1, False)] * 2})
     for call in (augicp.read_scan_sequence, lambda bag: augicp.read(f"{bag}#0")):

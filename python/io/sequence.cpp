@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kReadDoc =
     R"(The content of a folder of depth images: of the TUM benchmark (depth.txt), 7-Scenes, or numbered .png.
 
-frames_per_s: for frames without stamps. No image is opened. Returns a DepthSequence. Raises FileError.)";
+frames_per_s: for frames without stamps. No image is opened. Images that are left out, and stamps in another unit than seconds,
+are a UserWarning. Returns a DepthSequence. Raises FileError.)";
 
 py::object truth(const DepthSequence& sequence) {
   return sequence.truth ? py::cast(PyTrajectory{*sequence.truth}) : py::none();
@@ -40,6 +41,8 @@ void bind_sequence(py::module_& module) {
                     "Why there is no camera although there is a file.");
   type.def_property_readonly("truth", &truth, "The true Trajectory, or None.");
   type.def_readonly("truth_problem", &DepthSequence::truth_problem, "Why there is no truth although there is a file.");
+  type.def_readonly("warnings", &DepthSequence::warnings,
+                    "list of str: images left out, and stamps in another unit than seconds.");
   type.def("__len__", [](const DepthSequence& sequence) { return sequence.frames.size(); });
   type.def(
       "__getitem__",
@@ -54,7 +57,10 @@ void bind_sequence(py::module_& module) {
   module.def(
       "read_depth_sequence",
       [](const std::filesystem::path& folder, double frames_per_s) {
-        return without_gil([&](const std::stop_token&) { return read_depth_sequence(folder, frames_per_s); });
+        DepthSequence sequence =
+            without_gil([&](const std::stop_token&) { return read_depth_sequence(folder, frames_per_s); });
+        warn(sequence.warnings, {});
+        return sequence;
       },
       py::arg("folder"), py::arg("frames_per_s") = kUsualFramesPerS, kReadDoc);
 }

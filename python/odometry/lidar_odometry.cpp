@@ -107,6 +107,12 @@ class Tracker {
     return scan_of(odometry_.map());
   }
 
+  // Nothing before the first scan with points.
+  std::optional<double> voxel_size() const {
+    const std::lock_guard lock(mutex_);
+    return odometry_.voxel_size() > 0.0 ? std::optional(odometry_.voxel_size()) : std::nullopt;
+  }
+
   // ", 30 poses, last scan tracked"
   std::string state_text() const {
     const std::lock_guard lock(mutex_);
@@ -153,6 +159,9 @@ void bind_lidar_odometry(py::module_& module) {
   type.def_property_readonly(
       "map", [](const Tracker& tracker) { return cloud_of(tracker.map()); },
       "A Cloud of the surfaces around the last pose, in the world; empty before the first scan.");
+  type.def_property_readonly("voxel_size", &Tracker::voxel_size,
+                             "Edge of the map's voxels, metres: the option, or what was derived from the first scan; "
+                             "None before it.");
   type.def("__repr__", [](const Tracker& tracker) { return "<augicp.LidarOdometry" + tracker.state_text() + ">"; });
   type.def_property_readonly(
       "options", [](const Tracker& tracker) { return values_of(tracker.options()); },

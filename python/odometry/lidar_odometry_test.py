@@ -53,6 +53,15 @@ def test_the_poses_are_the_true_ones(tracked):
     assert len(odometry.map) > 200 and odometry.options["max_lost"] == 10
 
 
+def test_the_voxel_size_is_told(scans, tracked):
+    assert augicp.LidarOdometry().voxel_size is None
+    derived = tracked[0].voxel_size
+    assert 0.2 <= derived <= 0.7 and tracked[0].options["voxel_size"] is None
+    given = augicp.LidarOdometry(voxel_size=0.3)
+    given.add(scans[0], 0.0, "none")
+    assert given.voxel_size == 0.3
+
+
 def test_the_trajectory_is_the_command_s(scans, tracked, tmp_path):
     (tmp_path / "scans").mkdir()
     for k, points in enumerate(scans):

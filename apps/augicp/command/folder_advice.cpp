@@ -9,6 +9,7 @@
 
 #include "augicp/core/error.h"
 #include "augicp/io/file_bytes.h"
+#include "augicp/io/scan_files.h"
 #include "augicp/io/scan_sequence.h"
 
 namespace augicp::app {
@@ -80,8 +81,12 @@ void require_frames(const std::filesystem::path& folder) {
         if (extension == known) return;
     }
   const FolderContent content = content_of(folder);
-  const std::string text =
-      folder.string() + ": expected scans (.bin .pcd .ply) or depth images, found no image and no scan";
+  std::string text = folder.string() + ": expected scans (.bin .pcd .ply) or depth images, found no image and no scan";
+  if (const std::string others = scan_files_in(folder).left_out; !others.empty())
+    text += fmt::format(
+        "; it has {}, which no sequence is read from: 'augicp align' takes two clouds, and augicp.LidarOdometry of the "
+        "Python module takes them one after the other",
+        others);
   throw IoError(content.scans.empty() && content.images.empty() ? text : text + "; " + tracking_advice(content));
 }
 

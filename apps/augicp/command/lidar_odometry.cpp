@@ -139,6 +139,7 @@ void require_room(const MapArchive& map, const LidarOdometry& odometry, const st
 OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::optional<MapArchive>* map) {
   OdometryRun run{input.name, input.sequence.layout, {}, 0.0, {}, {}};
   run.point_times = input.point_times.in_words;
+  run.warnings = input.sequence.warnings;
   ProgressBar bar(input.chosen.size(), "scans", input.progress);
   const Stopwatch all;
   double saved_ms = 0.0;
@@ -167,6 +168,7 @@ OdometryRun track_scans(const LidarInput& input, LidarOdometry& odometry, std::o
     run.total_ms = all.elapsed_ms();
     run.rows.push_back(std::move(row));
     bar.advance();
+    if (odometry.voxel_size() > 0.0) run.map_voxels = MapVoxels{odometry.voxel_size(), odometry.derives_voxel_size()};
     if (run.total_ms < saved_ms + kSaveEvery_ms) continue;
     save(run, input.output);
     saved_ms = run.total_ms;

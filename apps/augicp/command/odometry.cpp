@@ -14,6 +14,7 @@
 #include "apps/augicp/command/interruption.h"
 #include "apps/augicp/command/lidar_odometry.h"
 #include "apps/augicp/command/odometry_arguments.h"
+#include "apps/augicp/command/odometry_input.h"
 #include "apps/augicp/command/odometry_output.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/progress.h"
@@ -25,7 +26,6 @@
 #include "augicp/io/atomic_file.h"
 #include "augicp/io/bag_topics.h"
 #include "augicp/io/depth_sequence.h"
-#include "augicp/io/scan_sequence.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/odometry/track.h"
 
@@ -79,6 +79,7 @@ OdometryRun track_sequence(const DepthSequence& sequence, const DepthCamera& cam
                            std::vector<KeptModel>& models) {
   OdometryRun run{arguments.sequence,    sequence.layout, chosen_frames(sequence, arguments), 0.0, {},
                   sequence.truth_problem};
+  run.warnings = sequence.warnings;
   std::vector<DepthFrameFile> files;
   for (const FrameRow& row : run.rows) files.push_back(sequence.frames[row.frame]);
   DepthSequenceReader reader(std::move(files), arguments.depth_scale.value_or(sequence.depth_scale));
@@ -156,43 +157,6 @@ void report_to_user(const OdometryRun& run, const OdometryArguments& arguments, 
   if (!arguments.quiet && arguments.json != "-") fmt::print("{}output     {}\n", summary_text(run), files);
 }
 
-bool holds_depth_images(const std::string& folder) {
-  try {
-    read_depth_sequence(folder, 1.0);
-    return true;
-  } catch (const IoError&) {
-    return false;
-  }
-}
-
-// The topic that is tracked, if the sequence is a recording.
-std::optional<StampedTopic> topic_of(const OdometryArguments& arguments) {
-  if (!is_bag(arguments.sequence)) return std::nullopt;
-  std::vector<std::string> types;
-  if (arguments.sensor != Sensor::Depth) types.emplace_back(kPointCloud2);
-  if (arguments.sensor != Sensor::Lidar) types.insert(types.end(), {kImage, kCompressedImage});
-  return chosen_topic(arguments.sequence, arguments.topic, types);
-}
-
-bool is_lidar(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
-  if (topic) return topic->type == kPointCloud2;
-  if (arguments.sensor != Sensor::Auto) return arguments.sensor == Sensor::Lidar;
-  if (!arguments.camera.empty()) return false;  // the folder may be damaged
-  std::error_code not_a_folder;
-  if (!fs::is_directory(arguments.sequence, not_a_folder)) return false;
-  return !find_scans(arguments.sequence).empty() && !holds_depth_images(arguments.sequence);
-}
-
-ScanSequence scans_of(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
-  return topic ? scans_of_topic(arguments.sequence, topic->name, topic->stamps_s)
-               : read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
-}
-
-DepthSequence images_of(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
-  return topic ? depth_of_topic(arguments.sequence, *topic)
-               : read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
-}
-
 int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::optional<StampedTopic>& topic) {
   refuse(command, kDepthAlone, "LiDAR");
   arguments.lidar.odometry.check();
@@ -201,12 +165,14 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::
   LidarInput input;
   input.name = arguments.sequence;
   input.sequence = scans_of(arguments, topic);
+  print_warnings(input.sequence.warnings, arguments.quiet);
   input.chosen = arguments.range.chosen(input.sequence.scans.size(), "scan");
   input.point_times = point_times_of(input.sequence, input.chosen, arguments.lidar.point_times);
   input.progress = arguments.quiet ? Progress::None : arguments.progress;
   const OutputFolder made(arguments.output, arguments.sequence);
   const fs::path folder = input.output = made.path();
-  write_text_file(folder / "config.toml", effective_config(command, folder, kDepthAlone));
+  const std::string config = effective_config(command, folder, kDepthAlone);
+  write_text_file(folder / "config.toml", config);
   LidarArguments lidar = arguments.lidar;
   lidar.mcap = arguments.mcap;
   lidar.odometry.max_lost = arguments.odometry.max_lost;
@@ -220,6 +186,9 @@ int run_lidar(const OdometryArguments& arguments, CLI::App& command, const std::
   };
   const OdometryRun run = run_lidar_odometry(input, lidar);
   if (run.rows.empty()) return run.interrupted_code;
+  // A comment: given, the voxel size would change what counts as convincing.
+  if (run.map_voxels && run.map_voxels->are_derived)
+    write_text_file(folder / "config.toml", config + fmt::format("# map-voxel: {}\n", voxels_text(*run.map_voxels)));
   write_page(arguments, {run, scans});
   report_to_user(
       run, arguments,
@@ -248,6 +217,7 @@ int run_odometry(const OdometryArguments& arguments, CLI::App& command) {
   if (is_lidar(arguments, topic)) return run_lidar(arguments, command, topic);
   refuse(command, kLidarAlone, "depth camera");
   const DepthSequence sequence = images_of(arguments, topic);
+  print_warnings(sequence.warnings, arguments.quiet);
   const DepthCamera camera = camera_for(sequence, arguments);
   if (!arguments.quiet) warn_by_first_frame(sequence, arguments.depth_scale.value_or(sequence.depth_scale));
   const OutputFolder made(arguments.output, arguments.sequence);

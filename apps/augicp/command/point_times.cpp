@@ -72,7 +72,8 @@ std::optional<PointTimes> from_field(const FirstScan& scan, const PointField& fi
   const auto [first, last] = std::minmax_element(times.begin(), times.end());
   const auto unit_s = likely_time_unit_s(*last - *first, expected_s);
   if (!unit_s)
-    throw io_error(scan.path, fmt::format("expected times of a sweep of about {:.3g} s in the field {}, found {} to {}",
+    throw io_error(scan.path, fmt::format("expected times of a sweep of about {:.3g} s, the time between two scans by "
+                                          "their stamps, in the field {}, found {} to {}",
                                           expected_s, in_quotes(field.name), *first, *last));
   const double sweep_s = (*last - *first) * *unit_s;
   return PointTimes{PointTimes::Source::Field, field.name, sweep_s,

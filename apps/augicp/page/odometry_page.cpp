@@ -144,6 +144,8 @@ PageHead head_of(const OdometryRun& run) {
                 {"Sequence: " + run.sequence}};
   head.lines.push_back(fmt::format("{} frames, {} with a pose", run.rows.size(), trajectory_of(run).size()));
   if (!run.point_times.empty()) head.lines.push_back("Times of the points: " + run.point_times);
+  if (run.map_voxels) head.lines.push_back("Voxels of the map: " + voxels_text(*run.map_voxels));
+  for (const std::string& warning : run.warnings) head.lines.push_back("Warning: " + warning);
   return head;
 }
 

@@ -116,12 +116,18 @@ std::string frames_csv(const OdometryRun& run) {
   return text;
 }
 
+std::string voxels_text(const MapVoxels& voxels) {
+  return fmt::format("{:.4g} m, {}", voxels.size_m, voxels.are_derived ? "derived from the first scan" : "given");
+}
+
 nlohmann::ordered_json metrics_json(const OdometryRun& run) {
   nlohmann::ordered_json json{{"sequence", run.sequence},
                               {"layout", run.layout},
                               {"num_frames", run.rows.size()},
                               {"num_poses", trajectory_of(run).size()}};
   if (!run.point_times.empty()) json["point_times"] = run.point_times;
+  if (run.map_voxels)
+    json["map_voxel"] = {{"size_m", run.map_voxels->size_m}, {"derived", run.map_voxels->are_derived}};
   for (const auto& [status, word] : kWords<FrameStatus>) json["num_" + std::string(word)] = num_with(run, status);
   if (const SelfCheckSummary check = self_check_of(run); check.num_checked > 0)
     json["self_check"] = self_check_json(check);
@@ -130,6 +136,7 @@ nlohmann::ordered_json metrics_json(const OdometryRun& run) {
   if (run.evaluation) json["evaluation"] = evaluation_json(*run.evaluation);
   if (!run.ended_early.empty()) json["ended_early"] = run.ended_early;
   if (!run.evaluation_problem.empty()) json["evaluation_problem"] = run.evaluation_problem;
+  if (!run.warnings.empty()) json["warnings"] = run.warnings;
   json["version"] = AUGICP_VERSION;
   return json;
 }
@@ -137,6 +144,7 @@ nlohmann::ordered_json metrics_json(const OdometryRun& run) {
 std::string summary_text(const OdometryRun& run) {
   std::string text = fmt::format("sequence   {} ({}, {} frames)\n", run.sequence, run.layout, run.rows.size());
   if (!run.point_times.empty()) text += fmt::format("times      {}\n", run.point_times);
+  if (run.map_voxels) text += fmt::format("voxels     {}\n", voxels_text(*run.map_voxels));
   text += fmt::format("frames     {}\n", counts_text(run));
   if (const SelfCheckSummary check = self_check_of(run); check.num_checked > 0) text += self_check_text(check);
   text += fmt::format("time       {:.1f} s, {:.1f} frames/s, median {:.1f} ms a frame\n", run.total_ms / 1000.0,

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/io/depth_sequence.h"
 
+#include <stdexcept>
+#include <utility>
+
 #include "augicp/core/check.h"
 #include "augicp/io/bag_message_name.h"
 #include "augicp/io/bag_topics.h"
 #include "augicp/io/camera_file.h"
 #include "augicp/io/depth_file.h"
 #include "augicp/io/sequence_folders.h"
+#include "augicp/io/stamp_unit.h"
 #include "augicp/io/trajectory_file.h"
 #include "augicp/io/transform_file.h"
 
@@ -29,7 +33,9 @@ void read_truth(const fs::path& folder, DepthSequence& sequence) {
   const fs::path path = folder / "groundtruth.txt";
   if (!is_there(path)) return;
   try {
-    sequence.truth = read_tum_trajectory(path).trajectory;
+    TrajectoryFile file = read_tum_trajectory(path);
+    sequence.truth = std::move(file.trajectory);
+    for (const std::string& warning : file.warnings) sequence.warnings.push_back(path.string() + ": " + warning);
   } catch (const IoError& error) {
     sequence.truth_problem = error.what();
   }
@@ -69,10 +75,23 @@ void read_camera_in(const fs::path& folder, DepthSequence& sequence) {
   }
 }
 
+void bring_into_seconds(const fs::path& list, DepthSequence& sequence) {
+  std::vector<double> stamps;
+  for (const DepthFrameFile& frame : sequence.frames) stamps.push_back(frame.stamp_s);
+  try {
+    if (const std::string sentence = augicp::bring_into_seconds(stamps); !sentence.empty())
+      sequence.warnings.push_back(list.string() + ": " + sentence);
+  } catch (const std::invalid_argument& error) {
+    throw io_error(list, error.what());
+  }
+  for (std::size_t i = 0; i < stamps.size(); ++i) sequence.frames[i].stamp_s = stamps[i];
+}
+
 DepthSequence tum_sequence(const fs::path& folder) {
   DepthSequence sequence;
   sequence.layout = "TUM";
   sequence.frames = parse_image_list(read_bytes(folder / "depth.txt"));
+  bring_into_seconds(folder / "depth.txt", sequence);
   sequence.depth_scale = kTumDepthScale;
   read_truth(folder, sequence);
   return sequence;
@@ -102,8 +121,9 @@ DepthSequence read_depth_sequence(const fs::path& folder, double frames_per_s) {
   } else {
     const fs::path images = fs::is_directory(folder / "depth", ignored) ? folder / "depth" : folder;
     sequence.layout = "numbered";
-    for (const char* ending : {".png", ".pgm", ".npy", ".pfm", ".tif", ".tiff"})
-      if (sequence.frames.empty()) sequence.frames = numbered_files(images, ending, frames_per_s);
+    NumberedImages found = numbered_images(images, frames_per_s);
+    sequence.frames = std::move(found.frames);
+    if (!found.left_out.empty()) sequence.warnings.push_back(images.string() + ": " + found.left_out);
     sequence.depth_scale = kUsualDepthScale;
     read_truth(folder, sequence);
   }

@@ -31,6 +31,7 @@ struct DepthSequence {
   std::string camera_problem;          // why there is no camera although there is such a file
   std::optional<Trajectory> truth;     // world_from_camera
   std::string truth_problem;           // why there is no truth although there is a groundtruth.txt
+  std::vector<std::string> warnings;   // images left out, stamps in other units; each names its file
 };
 
 // The content of a folder with one of these layouts:
@@ -39,8 +40,10 @@ struct DepthSequence {
 //   numbered   1.png, 2.png ... or any names that end in a number, in the folder or in its folder depth/;
 //              optionally groundtruth.txt.
 //              A number with a decimal point (1305031453.374112.png) is a stamp in seconds
-// Frames without stamps get their number / frames_per_s. Images are not opened. Throws IoError if the folder has none
-// of these layouts or its list of images is damaged, and std::invalid_argument unless frames_per_s is above 0.
+// Of numbered images of several kinds, those of the first kind are read that the folder has; the others are a warning.
+// Frames without stamps get their number / frames_per_s. Stamps of a list in other units than seconds: see
+// bring_into_seconds(). Images are not opened. Throws IoError if the folder has none of these layouts, if its list of
+// images is damaged or in no unit that suits, and std::invalid_argument unless frames_per_s is above 0.
 DepthSequence read_depth_sequence(const std::filesystem::path& folder, double frames_per_s = kUsualFramesPerS);
 
 struct StampedTopic;

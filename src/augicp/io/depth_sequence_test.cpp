@@ -44,6 +44,24 @@ TEST(DepthSequence, TumFoldersListTheirImages) {
   EXPECT_FALSE(sequence.camera);
 }
 
+TEST(DepthSequence, StampsInOtherUnitsBecomeSecondsAloud) {
+  const testing::TemporaryFolder folder;
+  write_file(folder / "depth.txt", "1305031453374.1 a.png\n1305031453407.4 b.png\n");
+  const DepthSequence sequence = read_depth_sequence(folder.path());
+  EXPECT_NEAR(sequence.frames[1].stamp_s, 1305031453.4074, 1e-6);
+  ASSERT_EQ(sequence.warnings.size(), 1u);
+  EXPECT_THAT(sequence.warnings[0], HasSubstr("depth.txt: the stamps are read as milliseconds"));
+}
+
+TEST(DepthSequence, ImagesThatAreLeftOutAreNamed) {
+  const testing::TemporaryFolder folder;
+  for (const char* name : {"1.png", "2.png", "1.pgm"}) write_file(folder / name, "");
+  const DepthSequence sequence = read_depth_sequence(folder.path());
+  EXPECT_EQ(sequence.frames.size(), 2u);
+  ASSERT_EQ(sequence.warnings.size(), 1u);
+  EXPECT_THAT(sequence.warnings[0], HasSubstr("2 .png images are read, and left out are 1 .pgm"));
+}
+
 // robustness 17: what is out of order stays so, for the odometry to see.
 TEST(DepthSequence, StampsAreNeverReordered) {
   const testing::TemporaryFolder folder;
@@ -147,7 +165,7 @@ TEST(DepthSequence, WhatIsNoSequenceIsRefused) {
   for (const auto& [list, message] : {std::pair{"1.0 a.png\nx b.png\n", "line 2: expected a time stamp"},
                                       std::pair{"nan a.png\n", "line 1: expected a time stamp"},
                                       std::pair{"1.0\n", "line 1: expected a time stamp and a path"},
-                                      std::pair{"1305031453374.1 a.png\n", "line 1: expected a time stamp in seconds"},
+                                      std::pair{"0 a.png\n1e15 b.png\n", "depth.txt: expected seconds, found stamps"},
                                       std::pair{"# nothing\n", "found no image"}}) {
     write_file(folder / "depth.txt", list);
     EXPECT_THAT(refusal(folder.path()), HasSubstr(message)) << list;

@@ -17,11 +17,12 @@ struct ScanFile {
 };
 
 struct ScanSequence {
-  bool has_stamps = false;      // from a list or messages; else the stamps are made from numbers and a rate
+  bool has_stamps = false;      // from a list, names or messages; else the stamps are made from numbers and a rate
   std::string layout;           // "KITTI odometry", "KITTI raw", "scans" or "recording"
-  std::vector<ScanFile> scans;  // in natural order (2.bin before 10.bin), unless stamps are given in that of the stamps
+  std::vector<ScanFile> scans;  // in natural order (2.bin before 10.bin); if the names are stamps in that of the stamps
   std::filesystem::path bag{};  // of a recording, and its topic; else empty
   std::string topic{};
+  std::vector<std::string> warnings{};  // what was left out, and stamps that are not as expected; each names its file
 };
 
 // The .bin, .pcd and .ply files of a folder, of its folder velodyne/ (KITTI odometry) or of its folder
@@ -30,9 +31,11 @@ struct ScanSequence {
 std::vector<std::filesystem::path> find_scans(const std::filesystem::path& folder);
 
 // The scans with their stamps: from times.txt (seconds, a line a scan) beside the scans or in a folder above, or from
-// KITTI raw's timestamps.txt; else the number in which each name ends / scans_per_s, if all names have one and they
-// ascend; else the place / scans_per_s. Scans are not opened. Throws IoError if there are no scans, if a list of stamps
-// has not as many as there are scans or does not ascend, and std::invalid_argument unless scans_per_s is above 0.
+// KITTI raw's timestamps.txt; else the number in which each name ends, if all have a decimal point or are too large for
+// the number of a frame; else that number / scans_per_s, if all names have one and they ascend; else the place /
+// scans_per_s. Stamps of a list need not ascend. Other units than seconds: see bring_into_seconds(). Scans are not
+// opened. Throws IoError if there are no scans, if a list of stamps has not as many as there are scans or is in no unit
+// that suits, and std::invalid_argument unless scans_per_s is above 0.
 ScanSequence read_scan_sequence(const std::filesystem::path& folder, double scans_per_s);
 
 // The same, or of a recording the clouds of a topic, see scans_of_topic(). topic: empty for a folder, or if the

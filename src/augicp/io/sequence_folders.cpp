@@ -12,6 +12,8 @@
 namespace augicp {
 namespace {
 
+constexpr const char* kImageEndings[] = {".png", ".pgm", ".npy", ".pfm", ".tif", ".tiff"};
+
 constexpr double kMaxNumber = 1e9;  // a year of frames; a larger number is a stamp in some unit
 
 // The number at the end of a name without its extension: digits, with or without a decimal point.
@@ -41,6 +43,14 @@ bool ends_with(std::string name, std::string_view ending) {
   return name.ends_with(ending);
 }
 
+std::size_t count_files(const std::filesystem::path& folder, std::string_view ending) {
+  std::error_code error;
+  std::size_t count = 0;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    count += ends_with(entry->path().filename().string(), ending);
+  return count;
+}
+
 }  // namespace
 
 std::vector<DepthFrameFile> parse_image_list(const FileBytes& list) {
@@ -51,7 +61,7 @@ std::vector<DepthFrameFile> parse_image_list(const FileBytes& list) {
     if (rest.front() == '#') continue;
     const auto stamp = next_field(rest);
     const auto stamp_s = stamp ? parse_double(*stamp) : std::nullopt;
-    if (!stamp_s || !(std::abs(*stamp_s) <= kMaxStamp_s))
+    if (!stamp_s || !std::isfinite(*stamp_s))
       throw io_error_at_line(list.path, lines.line(), "expected a time stamp in seconds, found " + in_quotes(*stamp));
     const std::string_view path = trimmed(rest);
     if (path.empty())
@@ -80,6 +90,26 @@ std::vector<DepthFrameFile> numbered_files(const std::filesystem::path& folder, 
   std::vector<DepthFrameFile> frames;
   for (const auto& [stamp_s, path] : by_stamp) frames.push_back({stamp_s, path});
   return frames;
+}
+
+NumberedImages numbered_images(const std::filesystem::path& folder, double frames_per_s) {
+  NumberedImages images;
+  std::string kind, others;
+  for (const char* ending : kImageEndings) {
+    const std::size_t num_files = count_files(folder, ending);
+    std::size_t num_read = 0;
+    if (kind.empty() && num_files > 0) {
+      images.frames = numbered_files(folder, ending, frames_per_s);
+      num_read = images.frames.size();
+      if (num_read > 0) kind = ending;
+    }
+    if (num_files > num_read)
+      others += fmt::format("{}{} {}{}", others.empty() ? "" : ", ", num_files - num_read, ending,
+                            kind == ending || kind.empty() ? " without a number at the end of the name" : "");
+  }
+  if (!others.empty() && !kind.empty())
+    images.left_out = fmt::format("{} {} images are read, and left out are {}", images.frames.size(), kind, others);
+  return images;
 }
 
 }  // namespace augicp

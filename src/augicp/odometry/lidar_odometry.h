@@ -130,6 +130,9 @@ class LidarOdometry {
   // The voxel size in use, metres; 0 before the first scan.
   double voxel_size() const { return voxel_size_; }
 
+  // Whether it is derived from the first scan, not given.
+  bool derives_voxel_size() const { return !options_.voxel_size; }
+
  private:
   struct Attempt;  // one scan at one pose
   struct Start;
