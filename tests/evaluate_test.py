@@ -158,6 +158,35 @@ class EvaluateTest(unittest.TestCase):
             found = self.compare(estimate, truth, *words)
             self.assertEqual((found["num_estimate"], found["num_truth"], found["num_matched"]), (116, 105, 103))
             self.assertAlmostEqual(found["matched_share"], 103 / 116)
+            counts = [found[name] for name in ("num_outside", "num_unmatched", "num_holes", "num_missing")]
+            self.assertEqual(counts, [0, 13, 2, 4])
+            self.assertAlmostEqual(found["longest_hole_s"], 0.1, 6)
+        errors = run(estimate, truth).stderr
+        self.assertIn("13 poses have no true pose of the same moment", errors)
+        self.assertIn("about 4 poses are missing in 2 holes, the longest of 0.1 s", errors)
+
+    def test_poses_outside_of_the_truth_s_time(self):
+        stamps, poses = wandering(30, 4)
+        estimate, truth = self.write("estimate.txt", stamps, poses), self.write("truth.txt", stamps[20:-5], poses[20:-5])
+        finished = run(estimate, truth, "--json", "-")
+        found = json.loads(finished.stdout)
+        self.assertEqual([found[name] for name in ("num_outside", "num_unmatched", "num_matched")], [25, 0, 95])
+        self.assertIn("25 poses lie outside of the truth's time and are not compared", finished.stderr)
+        shifted = self.evaluate(estimate, truth, "--time-offset", -stamps[5] + stamps[0])
+        self.assertEqual(shifted["num_outside"], 25)
+        whole = run(truth, truth)
+        self.assertEqual(whole.stderr, "")
+
+    def test_repeated_stamps_are_counted(self):
+        lines = [line for line in SAMPLE.read_text().splitlines(keepends=True) if not line.startswith("#")]
+        twice = self.folder / "twice.txt"
+        twice.write_text("".join(lines[:5] + lines[2:5][-1:] + lines[5:] + lines[-1:]))
+        found = self.evaluate(twice, SAMPLE)
+        self.assertEqual((found["num_repeated_estimate"], found["num_repeated_truth"]), (2, 0))
+        self.assertEqual(found["num_estimate"], len(lines))
+        self.assertIn("2 poses repeat the stamp before", run(twice, SAMPLE).stderr)
+        beside = self.evaluate(SAMPLE, twice, "--beside", twice)
+        self.assertEqual((beside["num_repeated_truth"], beside["others"][0]["num_repeated_estimate"]), (2, 2))
 
     def test_different_rates(self):
         truth = self.write("truth.txt", *wandering(97, 5))

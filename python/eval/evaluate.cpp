@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "apps/augicp/text/evaluation.h"
 #include "augicp/eval/option_table.h"
 #include "python/bindings.h"
 #include "python/core/numbers.h"
@@ -55,6 +56,7 @@ struct VisitEvaluation {
     archive.number(evaluation.num_truth);
     archive.number(evaluation.num_matched);
     archive.number(evaluation.matched_share);
+    visit_coverage(archive, evaluation.coverage);
     archive.number(evaluation.first_stamp_s);
     archive.number(evaluation.last_stamp_s);
     VisitPoseStatistics{}(archive, evaluation.absolute);
@@ -63,6 +65,11 @@ struct VisitEvaluation {
     archive.number(evaluation.alignment.unique);
     for (auto* errors : {&evaluation.aligned, &evaluation.relative})
       if (archive.has(*errors)) VisitPoseStatistics{}(archive, **errors);
+  }
+  static void visit_coverage(auto& archive, auto& coverage) {
+    for (auto* count : {&coverage.num_outside, &coverage.num_unmatched, &coverage.num_holes, &coverage.num_missing})
+      archive.number(*count);
+    archive.number(coverage.longest_hole_s);
   }
 };
 
@@ -87,6 +94,7 @@ std::string lines_of(const Evaluation& evaluation) {
   std::string text = "augicp.Evaluation of " + std::to_string(evaluation.num_matched) + " of " +
                      std::to_string(evaluation.num_estimate) +
                      " poses\nATE, not aligned: " + in_words(evaluation.absolute);
+  for (const std::string& warning : app::coverage_warnings(evaluation.coverage)) text += "\n" + warning;
   if (evaluation.aligned) text += "\nATE, aligned: " + in_words(*evaluation.aligned);
   if (evaluation.relative) text += "\nRPE: " + in_words(*evaluation.relative);
   return text;
@@ -125,6 +133,16 @@ void bind_evaluate(py::module_& module) {
   type.def_readonly("num_matched", &Evaluation::num_matched,
                     "Poses of the estimate with a true one of the same moment.");
   type.def_readonly("matched_share", &Evaluation::matched_share, "Share of the estimate's poses, 0 to 1.");
+  const auto of_coverage = [&](const char* name, auto Coverage::*field, const char* doc) {
+    type.def_property_readonly(
+        name, [field](const Evaluation& evaluation) { return evaluation.coverage.*field; }, doc);
+  };
+  of_coverage("num_outside", &Coverage::num_outside, "Poses of the estimate outside of the truth's time.");
+  of_coverage("num_unmatched", &Coverage::num_unmatched,
+              "Poses of the estimate within the truth's time that have no true one of the same moment.");
+  of_coverage("num_holes", &Coverage::num_holes, "Times between two poses of the estimate that are longer than usual.");
+  of_coverage("num_missing", &Coverage::num_missing, "Poses that would fill these holes.");
+  of_coverage("longest_hole", &Coverage::longest_hole_s, "Time between the poses around the longest, seconds.");
   type.def_readonly("first_stamp", &Evaluation::first_stamp_s,
                     "First stamp of the matched poses, in the truth's clock, seconds.");
   type.def_readonly("last_stamp", &Evaluation::last_stamp_s,

@@ -43,7 +43,8 @@ def test_the_evaluation_is_the_command_s(tracked, command_folder):
     told = command_json("evaluate", command_folder / "trajectory.txt", DESK / "groundtruth.txt", "--json", "-")
     for estimate in (tracked[0].trajectory, command_folder / "trajectory.txt"):
         evaluation = augicp.evaluate(estimate, DESK / "groundtruth.txt")
-        for name in ("num_estimate", "num_truth", "num_matched", "matched_share", "options"):
+        for name in ("num_estimate", "num_truth", "num_matched", "matched_share", "num_outside", "num_unmatched", "num_holes", "num_missing",
+                     "options"):
             assert getattr(evaluation, name) == told[name], name
         assert (evaluation.first_stamp, evaluation.last_stamp) == (told["first_stamp_s"], told["last_stamp_s"])
         assert evaluation.T_truth_estimate.tolist() == told["alignment"]["T_truth_estimate"]
@@ -130,6 +131,19 @@ def test_calls_from_several_threads_follow_one_another(images):
     with ThreadPoolExecutor(4) as pool:
         list(pool.map(lambda frame: odometry.add(frame[1], frame[0]), images[:8]))
     assert 1 <= len(odometry.trajectory) <= 8
+
+
+def test_what_an_evaluation_leaves_out():
+    truth = augicp.read_trajectory(DESK / "groundtruth.txt")
+    kept = [k for k in range(len(truth)) if k not in (50, 51, 90)]
+    estimate = augicp.Trajectory(truth.stamps[kept], truth.poses[kept])
+    part = augicp.Trajectory(truth.stamps[10:-20], truth.poses[10:-20])
+    found = augicp.evaluate(estimate, part, max_difference_s=0.001)
+    assert (found.num_outside, found.num_unmatched, found.num_holes, found.num_missing) == (30, 0, 2, 3)
+    assert found.longest_hole == pytest.approx(0.03, abs=0.003)
+    assert "30 poses lie outside of the truth's time" in str(found) and "about 3 poses are missing" in str(found)
+    for other in copies(found):
+        assert str(other) == str(found) and other.longest_hole == found.longest_hole
 
 
 def test_options_of_odometry():

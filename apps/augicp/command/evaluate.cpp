@@ -44,8 +44,8 @@ PoseFile read_and_warn(const std::string& path) {
 }
 
 // Options were checked before: errors here concern the files.
-EvaluatedRun evaluate_files(const std::string& path, PoseFile estimate, const EvaluateArguments& arguments) {
-  PoseFile truth = read_and_warn(arguments.truth);
+EvaluatedRun evaluate_files(const std::string& path, PoseFile estimate, PoseFile truth,
+                            const EvaluateArguments& arguments) {
   share_stamps(estimate, truth);
   if (estimate.has_stamps != truth.has_stamps)
     throw IoError(fmt::format("{}, {}: only one has timestamps, and they have {} and {} poses", path, arguments.truth,
@@ -56,6 +56,8 @@ EvaluatedRun evaluate_files(const std::string& path, PoseFile estimate, const Ev
   } catch (const std::invalid_argument& error) {
     throw IoError(fmt::format("{}, {}: {}", path, arguments.truth, error.what()));
   }
+  for (const std::string& warning : coverage_warnings(run.evaluation.coverage))
+    fmt::print(stderr, "augicp: warning: {}: {}\n", path, warning);
   return run;
 }
 
@@ -68,11 +70,14 @@ std::vector<GapError> errors_of(const PoseFile& estimate, std::span<const Refere
 // runs: takes what a report draws.
 Compared compared(const std::string& path, const EvaluateArguments& arguments, std::span<const ReferencePair> known,
                   std::vector<EvaluatedRun>& runs) {
-  Compared result{path, {}, {}};
+  Compared result{path, {}, {}, 0, 0};
   PoseFile estimate = read_and_warn(path);
   if (!arguments.pairs.empty()) result.of_gap = errors_of(estimate, known);
+  result.num_repeated_estimate = estimate.content.num_repeated;
   if (arguments.truth.empty()) return result;
-  runs.push_back(evaluate_files(path, std::move(estimate), arguments));
+  PoseFile truth = read_and_warn(arguments.truth);
+  result.num_repeated_truth = truth.content.num_repeated;
+  runs.push_back(evaluate_files(path, std::move(estimate), std::move(truth), arguments));
   result.evaluation = runs.back().evaluation;
   return result;
 }
@@ -90,7 +95,9 @@ nlohmann::ordered_json json_of(const Compared& result, const EvaluateArguments& 
   if (result.evaluation) {
     json["truth"] = arguments.truth;
     json.update(evaluation_json(*result.evaluation));
+    json["num_repeated_truth"] = result.num_repeated_truth;
   }
+  json["num_repeated_estimate"] = result.num_repeated_estimate;
   if (result.of_gap) json["pairs"] = gaps_json(*result.of_gap);
   return json;
 }

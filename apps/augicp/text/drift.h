@@ -26,6 +26,7 @@ struct Compared {
   std::string estimate;  // the file, as named
   std::optional<Evaluation> evaluation;
   std::optional<std::vector<GapError>> of_gap;
+  std::uint64_t num_repeated_estimate = 0, num_repeated_truth = 0;  // poses left out, see TrajectoryFile
 };
 
 // A line for each estimate.

@@ -87,6 +87,23 @@ bool shares_frame(const Evaluation& evaluation) {
          evaluation.absolute.translation.rmse < kMaxRatioOfDrift * evaluation.aligned->translation.rmse;
 }
 
+std::vector<std::string> coverage_warnings(const Coverage& coverage) {
+  std::vector<std::string> warnings;
+  if (coverage.num_outside > 0)
+    warnings.push_back(fmt::format("{} pose{} outside of the truth's time and {} not compared", coverage.num_outside,
+                                   coverage.num_outside == 1 ? " lies" : "s lie",
+                                   coverage.num_outside == 1 ? "is" : "are"));
+  if (coverage.num_unmatched > 0)
+    warnings.push_back(fmt::format("{} pose{} no true pose of the same moment, and {} not compared",
+                                   coverage.num_unmatched, coverage.num_unmatched == 1 ? " has" : "s have",
+                                   coverage.num_unmatched == 1 ? "is" : "are"));
+  if (coverage.num_holes > 0)
+    warnings.push_back(fmt::format("about {} pose{} missing in {} hole{}, the longest of {:.3g} s",
+                                   coverage.num_missing, coverage.num_missing == 1 ? " is" : "s are",
+                                   coverage.num_holes, coverage.num_holes == 1 ? "" : "s", coverage.longest_hole_s));
+  return warnings;
+}
+
 std::string evaluation_text(const Evaluation& evaluation) {
   std::string text = fmt::format(
       "matched    {} of {} poses ({:.1f} %) with {} true ones\n"
@@ -108,6 +125,11 @@ nlohmann::ordered_json evaluation_json(const Evaluation& evaluation) {
           {"num_truth", evaluation.num_truth},
           {"num_matched", evaluation.num_matched},
           {"matched_share", evaluation.matched_share},
+          {"num_outside", evaluation.coverage.num_outside},
+          {"num_unmatched", evaluation.coverage.num_unmatched},
+          {"num_holes", evaluation.coverage.num_holes},
+          {"num_missing", evaluation.coverage.num_missing},
+          {"longest_hole_s", evaluation.coverage.longest_hole_s},
           {"first_stamp_s", evaluation.first_stamp_s},
           {"last_stamp_s", evaluation.last_stamp_s},
           {"ate", pose_statistics_json(evaluation.absolute)},

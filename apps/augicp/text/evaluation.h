@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "augicp/eval/evaluate.h"
 
@@ -11,6 +12,9 @@ namespace augicp::app {
 
 // Whether both trajectories are in one frame: errors without alignment mean something only then.
 bool shares_frame(const Evaluation& evaluation);
+
+// What the errors leave out, a sentence each.
+std::vector<std::string> coverage_warnings(const Coverage& coverage);
 
 // Some lines and a table.
 std::string evaluation_text(const Evaluation& evaluation);

@@ -158,7 +158,11 @@ std::string summary_text(const OdometryRun& run) {
         "warning    the sensor was lost: the trajectory has {} segments with no measured motion between them\n",
         num_segments(run));
   if (!run.advice.empty()) text += fmt::format("warning    {}\n", run.advice);
-  if (run.evaluation) text += evaluation_text(*run.evaluation);
+  if (run.evaluation) {
+    text += evaluation_text(*run.evaluation);
+    for (const std::string& warning : coverage_warnings(run.evaluation->coverage))
+      text += fmt::format("warning    {}\n", warning);
+  }
   if (!run.evaluation_problem.empty()) text += fmt::format("truth      not compared: {}\n", run.evaluation_problem);
   return text;
 }

@@ -31,6 +31,7 @@ Evaluation evaluate(const Trajectory& estimate, const Trajectory& truth, const E
   evaluation.num_truth = truth.size();
   evaluation.num_matched = poses.size();
   evaluation.matched_share = static_cast<double>(poses.size()) / static_cast<double>(estimate.size());
+  evaluation.coverage = coverage_of(estimate, truth, poses.size(), options.association, options.truth);
   evaluation.first_stamp_s = poses.front().stamp_s;
   evaluation.last_stamp_s = poses.back().stamp_s;
   evaluation.absolute = statistics_of(absolute_errors(poses));

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "augicp/eval/coverage.h"
 #include "augicp/eval/segment_errors.h"
 #include "augicp/eval/statistics.h"
 #include "augicp/eval/trajectory_error.h"
@@ -31,6 +32,7 @@ struct Evaluation {
   std::size_t num_estimate = 0, num_truth = 0;     // poses in the inputs
   std::size_t num_matched = 0;                     // poses of the estimate with a true pose of the same moment
   double matched_share = 0.0;                      // num_matched / num_estimate
+  Coverage coverage;                               // what the errors leave out
   double first_stamp_s = 0.0, last_stamp_s = 0.0;  // of the matched poses, in the clock of the truth
   PoseStatistics absolute;                         // not aligned
   RigidFit alignment;                              // maps the estimate's world to the true one

@@ -28,16 +28,16 @@ void TrajectoryBuilder::add(const StampedPose& pose, std::uint64_t line) {
         fmt::format("expected timestamps that increase, found {} after {}", pose.stamp_s, before.back().stamp_s));
   if (before.empty() || pose.stamp_s != before.back().stamp_s) {
     before.push_back(pose);
-  } else if (num_repeated_++ == 0) {
+  } else if (file_.num_repeated++ == 0) {
     first_repeated_ = line;
   }
 }
 
 TrajectoryFile TrajectoryBuilder::finished() {
-  if (num_repeated_ > 0)
+  if (file_.num_repeated > 0)
     file_.warnings.push_back(
         fmt::format("{} poses repeat the stamp before, first in line {}: of equal stamps the first pose is kept",
-                    num_repeated_, first_repeated_));
+                    file_.num_repeated, first_repeated_));
   return std::move(file_);
 }
 

@@ -22,7 +22,7 @@ class TrajectoryBuilder {
 
  private:
   TrajectoryFile file_;
-  std::uint64_t num_repeated_ = 0, first_repeated_ = 0;
+  std::uint64_t first_repeated_ = 0;
 };
 
 // timestamp tx ty tz qx qy qz qw.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ inline constexpr double kMaxStamp_s = 1e11;
 struct TrajectoryFile {
   Trajectory trajectory;              // at least one pose, in the order of the stamps
   std::vector<std::string> warnings;  // possible problems of a file that was read completely
+  std::uint64_t num_repeated = 0;     // poses that were left out because their stamp is that of the one before
 };
 
 // A trajectory in the form of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw` per line, the pose of the
