@@ -29,6 +29,16 @@ def options_of(*subcommand):
     return sorted({name for head in heads for name in re.findall(r"--([a-z][a-z-]+)", head)})
 
 
+def numbers_of(*subcommand):
+    """The options in a subcommand's help that take numbers, with their kind: UINT, INT or FLOAT."""
+    return re.findall(r"^  (?:\S+,)?--([a-z][a-z-]+)(?:,\S+)? (UINT|INT|FLOAT)", run(*subcommand, "--help").stdout, re.MULTILINE)
+
+
+EXPERIMENTS = ("synthetic", "sequence", "basin", "global", "verdict", "trust", "town")
+SUBCOMMANDS = [("align", "missing.ply", "missing.ply"), ("evaluate", "missing.txt", "missing.txt"), ("info", "missing.ply"),
+               ("odometry", "missing"), ("surface", "missing.ply", "--output", "missing/o.ply")]
+
+
 class WrongWordsTest(unittest.TestCase):
     def refused(self, *words):
         finished = run(*words)
@@ -111,6 +121,38 @@ class WrongWordsTest(unittest.TestCase):
         lines = dict(line.split(maxsplit=1) for line in text.splitlines())
         self.assertEqual(lines["augicp"], (PROJECT / "VERSION").read_text().strip())
         if (PROJECT / ".git").exists():
+    def test_no_number_of_any_option_is_taken_for_another(self):
+        """Inputs are missing, so that 2 is a refused number, and 3 one that was taken."""
+        count = 0
+        for words in SUBCOMMANDS:
+            numbers = numbers_of(words[0])
+            self.assertGreater(len(numbers), 1, words)
+            for option, kind in numbers:
+                count += 1
+                for value in ("nan", "NaN", "1e9999", "1x", "", "0x10", "9" * 30 if kind != "FLOAT" else "-1e9999"):
+                    self.assertIn("--" + option, self.refused(*words, f"--{option}", value), (words, option, value))
+                finished = run(*words, f"--{option}=-1")
+                self.assertIn(finished.returncode, (2, 3), (words, option))
+                self.assertNotRegex(finished.stderr, r"\d{12}", (words, option))
+                if finished.returncode == 2:
+                    self.assertIn("--" + option, finished.stderr)
+                if kind == "UINT":
+                    self.assertIn(f"--{option}: must not be negative, found -1", finished.stderr)
+        self.assertGreater(count, 50)
+
+    def test_numbers_of_experiments_are_none_of_other_kinds(self):
+        for name in EXPERIMENTS:
+            for option, kind in numbers_of("experiment", name):
+                finished = run("experiment", name, "missing", "missing", f"--{option}=" + ("-1" if kind == "UINT" else "nan"))
+                self.assertEqual(finished.returncode, 2, (name, option))
+                self.assertIn("--" + option, finished.stderr)
+
+    def test_zeros_in_front_are_no_octal_number(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run("odometry", DESK, "--camera", "tum-fr1", "--first", "0010", "--last", "000012", "--output", folder, "--quiet")
+            frames = (Path(folder) / "frames.csv").read_text().splitlines()
+        self.assertEqual([line.split(",")[0] for line in frames[1:]], ["10", "11"])
+
             commit = lines["commit"].removesuffix("-modified")
             self.assertEqual(subprocess.run(["git", "-C", PROJECT, "cat-file", "-e", commit], check=False).returncode, 0, text)
         flags = Path("/proc/cpuinfo").read_text().split()

@@ -9,6 +9,7 @@
 #include "apps/augicp/command/evaluate.h"
 #include "apps/augicp/command/experiment.h"
 #include "apps/augicp/command/info.h"
+#include "apps/augicp/command/number_checks.h"
 #include "apps/augicp/command/odometry.h"
 #include "apps/augicp/command/surface.h"
 #include "apps/augicp/command/unpack.h"
@@ -52,6 +53,7 @@ void set_up_command_line(CLI::App& app, int& exit_code) {
   add_surface_command(app, exit_code);
   add_unpack_command(app, exit_code);
   refuse_options_as_values(app);
+  check_numbers(app);
 }
 
 }  // namespace augicp::app
