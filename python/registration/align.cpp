@@ -5,6 +5,7 @@
 
 #include "augicp/io/unit_warning.h"
 #include "augicp/registration/option_table.h"
+#include "augicp/registration/options_in_effect.h"
 #include "augicp/registration/registration.h"
 #include "python/bindings.h"
 #include "python/cloud/cloud.h"
@@ -46,16 +47,12 @@ align(source, target, initial="global"); the others have the status that they wo
 nothing alike. source, target, threads, progress, options and exceptions: as of align().
 )";
 
-// What a result says of its options: they have the derived lengths.
+// What a result says of its options: they are those in effect.
 Result with_lengths(AlignResult found, const Scan& target, const Lengths& lengths, RegistrationOptions options,
                     std::shared_ptr<const ResultInputs> inputs) {
   options.stop = {};
-  if (lengths.radius > 0.0) {
-    options.radius = lengths.radius;
-    options.voxel_size = lengths.voxel_size;
-    options.max_distance = lengths.max_distance;
-  }
-  return {std::move(found), options, target.cloud.origin, std::move(inputs)};
+  const bool are_clouds = !inputs->source->view && !inputs->target->view;
+  return {std::move(found), options_in_effect(options, lengths, are_clouds), target.cloud.origin, std::move(inputs)};
 }
 
 RegistrationOptions options_from(const py::object& method, const py::object& threads, const py::kwargs& given) {

@@ -25,7 +25,7 @@ std::string page_of(const Result& result, const ResultInputs& inputs, const std:
   report.target = inputs.target_name;
   report.result = result.found;
   report.lengths = prepared.lengths;
-  report.options = result.options;
+  report.options = report.in_effect = result.options;
   app::refer_to(prepared.target.cloud, report);
   const auto colours = [](const Scan& scan, const ColouredScan& given) {
     return app::nearest_colours(scan.cloud, given.cloud, given.colours);

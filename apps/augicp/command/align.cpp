@@ -21,6 +21,7 @@
 #include "augicp/core/error.h"
 #include "augicp/io/transform_file.h"
 #include "augicp/registration/option_table.h"
+#include "augicp/registration/options_in_effect.h"
 
 namespace augicp::app {
 namespace {
@@ -134,6 +135,8 @@ AlignRun register_files(const AlignArguments& arguments, StepLine& line) {
   report.lengths = registration.prepared.lengths;
   if (first_radius > 0.0) report.share_of_radius = report.lengths.radius / first_radius;
   run.prepared = std::move(registration.prepared);
+  report.in_effect =
+      options_in_effect(report.options, report.lengths, !run.prepared.source.view && !run.prepared.target.view);
   refer_to(run.prepared.target.cloud, report);
   report.num_prepared = {run.prepared.source.cloud.size(), run.prepared.target.cloud.size()};
   return run;

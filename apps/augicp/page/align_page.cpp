@@ -121,7 +121,7 @@ std::string align_page(const AlignPicture& picture) {
   std::string side = section_html("Verdict", verdict_html(report));
   side += section_html("Transform from source to target", matrix_html(report.result.target_from_source));
   side += section_html("Convergence", figures_html(charts));
-  side += details_html("Options", html_list(options_texts(effective_options(report))));
+  side += details_html("Options", html_list(options_texts(report.in_effect)));
   const std::string body =
       "<main class=\"staged\">\n<div id=\"stage\"></div>\n<div class=\"side\">\n" + side + "</div>\n</main>\n";
   const PageHead head{"Alignment",

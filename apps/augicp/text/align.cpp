@@ -160,14 +160,6 @@ std::optional<Uncertainty> uncertainty(const AlignReport& report) {
                      std::sqrt(about_centre.bottomRightCorner<3, 3>().trace())};
 }
 
-RegistrationOptions effective_options(const AlignReport& report) {
-  RegistrationOptions options = report.options;
-  options.radius = report.lengths.radius;
-  options.voxel_size = report.lengths.voxel_size;
-  options.max_distance = report.lengths.max_distance;
-  return options;
-}
-
 std::string advice_for(AlignStatus status) {
   switch (status) {
     case AlignStatus::Converged:
@@ -217,7 +209,7 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
   if (!result.runners_up.empty()) json["runners_up"] = runners_up_json(result);
   if (report.with_history) json["history"] = history_json(result);
   json["version"] = AUGICP_VERSION;
-  json["options"] = options_json(effective_options(report));
+  json["options"] = options_json(report.in_effect);
   return json;
 }
 

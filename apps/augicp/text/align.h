@@ -22,7 +22,8 @@ struct AlignReport {
   AlignResult result;
   Lengths lengths;
   TimingMs timing_ms;
-  RegistrationOptions options;
+  RegistrationOptions options;    // as given
+  RegistrationOptions in_effect;  // see options_in_effect()
   bool with_history = false;
   std::array<std::size_t, 2> num_read{}, num_prepared{};  // points of source and target
   double share_of_radius = 1.0;                           // the radius, divided by that of the first registration
@@ -40,9 +41,6 @@ struct Uncertainty {
   double translation = 0.0, rotation = 0.0;  // roots of the summed variances, metres and radians
 };
 std::optional<Uncertainty> uncertainty(const AlignReport& report);
-
-// The options as they took effect, with the lengths that were derived.
-RegistrationOptions effective_options(const AlignReport& report);
 
 // The JSON of `augicp align`; see docs/conventions.md.
 nlohmann::ordered_json to_json(const AlignReport& report);

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "augicp/registration/options.h"
+
+namespace augicp {
+
+// The options as they took effect on two inputs: the lengths that were used, and off what the preset, the inputs or
+// other options leave out. lengths: those of the result. are_clouds: neither input is a depth image.
+RegistrationOptions options_in_effect(RegistrationOptions options, const Lengths& lengths, bool are_clouds);
+
+}  // namespace augicp
