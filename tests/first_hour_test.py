@@ -96,6 +96,12 @@ class WrongWordsTest(unittest.TestCase):
                             (("odometry", "a", "--sensor", "camera"), "Did you mean depth?"),
                             (("align", "a", "b", "--method", "point_to_plane"), "Did you mean plane?"),
                             (("align", "a", "b", "--method", "ICP"), "Did you mean point?"),
+                            (("align", "a", "b", "-leaf", "0.01"), "Did you mean --voxel-size?"),
+                            (("align", "a", "b", "-ITER", 9), "Did you mean --max-iterations?"),
+                            (("align", "a", "b", "--max_correspondence_distance", 1), "Did you mean --max-distance?"),
+                            (("evaluate", "a", "b", "--t_max_diff", 1), "Did you mean --max-difference?"),
+                            (("evaluate", "a", "b", "--correct_scale"), "Did you mean --align?"),
+                            (("odometry", "a", "--n-scans", 9), "Did you mean --last?"),
                             (("align", "a", "b", "-o", "c"), "no option -o. Options are written out: --output"),
                             (("align", "a", "b", "-v", 1), "--voxel-size, --verbose")):
             self.assertIn(part, self.refused(*words))
@@ -115,12 +121,6 @@ class WrongWordsTest(unittest.TestCase):
             self.assertIn(part, self.refused("align", *rooms, *words))
         self.assertTrue(self.refused("align", rooms[0]).startswith("augicp: target is required"))
 
-    def test_version_names_commit_and_instructions(self):
-        text = run("--version").stdout
-        self.assertEqual(text, run("-V").stdout)
-        lines = dict(line.split(maxsplit=1) for line in text.splitlines())
-        self.assertEqual(lines["augicp"], (PROJECT / "VERSION").read_text().strip())
-        if (PROJECT / ".git").exists():
     def test_no_number_of_any_option_is_taken_for_another(self):
         """Inputs are missing, so that 2 is a refused number, and 3 one that was taken."""
         count = 0
@@ -153,6 +153,12 @@ class WrongWordsTest(unittest.TestCase):
             frames = (Path(folder) / "frames.csv").read_text().splitlines()
         self.assertEqual([line.split(",")[0] for line in frames[1:]], ["10", "11"])
 
+    def test_version_names_commit_and_instructions(self):
+        text = run("--version").stdout
+        self.assertEqual(text, run("-V").stdout)
+        lines = dict(line.split(maxsplit=1) for line in text.splitlines())
+        self.assertEqual(lines["augicp"], (PROJECT / "VERSION").read_text().strip())
+        if (PROJECT / ".git").exists():
             commit = lines["commit"].removesuffix("-modified")
             self.assertEqual(subprocess.run(["git", "-C", PROJECT, "cat-file", "-e", commit], check=False).returncode, 0, text)
         flags = Path("/proc/cpuinfo").read_text().split()
@@ -306,6 +312,11 @@ class WorkTest(unittest.TestCase):
         finished = run("odometry", inner.parent)
         self.assertEqual(finished.returncode, 3)
         self.assertIn(f"3 scans are tracked by: augicp odometry {inner}", finished.stderr)
+        others = self.folder / "tiles"
+        others.mkdir()
+        for name in ("0.las", "1.las", "2.xyz"):
+            (others / name).write_text("")
+        self.assertIn("it has 2 .las, 1 .xyz, which no sequence is read from", run("odometry", others).stderr)
         self.assertIn("no such folder", run("odometry", self.folder / "missing").stderr)
         self.assertIn(f"its folder is tracked by: augicp odometry {DESK}", run("odometry", DESK / "depth.txt").stderr)
         self.assertIn("expected a trajectory", run("evaluate", ROOM / "source.ply", ROOM / "target.ply").stderr)

@@ -69,8 +69,10 @@ std::string unknown_option(const CLI::App& command, const std::string& option) {
   return message + fmt::format(". It belongs before the subcommand: augicp {} ... {}", option, command.get_name());
 }
 
-// Options of one letter are those of other programs.
+// Options of one letter are those of other programs, and so are words behind one dash: PCL's and CloudCompare's.
 std::string unknown_letter(const CLI::App& command, const std::string& word) {
+  const std::string near = word.size() > 3 ? closest(word.substr(1), option_names(command)) : "";
+  if (!near.empty()) return fmt::format("{} has no option {}. Did you mean --{}?", full_name(command), word, near);
   constexpr std::size_t kMostNamed = 4;
   std::string names;
   std::size_t count = 0;
