@@ -79,9 +79,15 @@ class EvaluateTest(unittest.TestCase):
         return self.folder / name
 
     def evaluate(self, *words):
+        """The JSON; what the errors leave out is warned of, and nothing else."""
         finished = run(*words, "--json", "-")
-        self.assertEqual((finished.returncode, finished.stderr), (0, ""))
-        return json.loads(finished.stdout)
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        found = json.loads(finished.stdout)
+        counts = ("num_outside", "num_unmatched", "num_holes", "num_repeated_estimate", "num_repeated_truth")
+        expected = sum(result.get(count, 0) > 0 for result in [found, *found.get("others", [])] for count in counts)
+        self.assertEqual(finished.stderr.count("augicp: warning: "), expected, finished.stderr)
+        self.assertEqual(len(finished.stderr.splitlines()), expected)
+        return found
 
     def assert_same(self, found, expected, where):
         """All that is expected is found, numbers to within the tolerance."""
@@ -306,7 +312,7 @@ class EvaluateTest(unittest.TestCase):
         (self.folder / "names.csv").write_text("timestamp,x,y,z,roll,pitch,yaw\n1,2,3,4,0,0,0\n")
         cases = (
             (2, (truth,), "groundtruth"), (2, (truth, truth, "--delta", -1), "delta"), (2, (truth, truth, "--delta", 1.5), "frames"),
-            (2, (truth, truth, "--unit", "feet"), "feet"), (2, (truth, truth, "--max-difference", -1), "max_difference_s"),
+            (2, (truth, truth, "--unit", "feet"), "feet"), (2, (truth, truth, "--max-difference", -1), "--max-difference -1: must be"),
             (2, (truth, truth, "--align", "affine"), "affine"),
             (3, (self.folder / "none.txt", truth), "none.txt: no such file"), (3, (truth, self.folder), "found a directory"),
             (3, (self.folder / "seven.txt", truth), "seven.txt: line 1: expected 8 values"),
