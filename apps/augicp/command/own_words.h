@@ -14,7 +14,8 @@ std::string full_name(const CLI::App& command);
 std::string in_own_words(const CLI::App& command, const CLI::ParseError& error);
 
 // The library's "num_threads = -1.000000: must be ..." in the words of the subcommand that was called: "--threads -1:
-// must be ...". Other messages are left as they are.
+// must be ...". The option is the one with that value, also in degrees or percent; of several the one with the name.
+// Messages that fit no option are left as they are.
 std::string in_words_of_options(const CLI::App& app, const std::string& message);
 
 }  // namespace augicp::app

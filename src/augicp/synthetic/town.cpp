@@ -181,8 +181,8 @@ std::vector<MovingObject> traffic(const Road& road, const std::shared_ptr<const 
 }  // namespace
 
 void TownOptions::check() const {
-  require(length >= 200.0, "length", length, "must be at least 200");
-  require_positive("speed", speed);
+  require(length >= 200.0 && length <= 1e5, "length", length, "must be from 200 to 100000");
+  require(speed >= 0.1 && speed <= 1000.0, "speed", speed, "must be from 0.1 to 1000");
 }
 
 TownLoop town_loop(const TownOptions& options) {

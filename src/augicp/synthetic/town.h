@@ -7,8 +7,8 @@
 namespace augicp::synthetic {
 
 struct TownOptions {
-  double length = 500.0;  // of the loop, metres, at least 200
-  double speed = 10.0;    // on straight roads, m/s; half of it in the curves
+  double length = 500.0;  // of the loop, metres, from 200 to 100 000
+  double speed = 10.0;    // on straight roads, m/s, from 0.1 to 1000; half of it in the curves
   bool has_traffic = true;
   unsigned seed = 1;
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "augicp/testing/matchers.h"
@@ -64,8 +65,11 @@ TEST(TownLoop, TrafficMovesAndCanBeLeftOut) {
   EXPECT_FALSE(town_loop(options).world.moving.empty());
   options.has_traffic = false;
   EXPECT_TRUE(town_loop(options).world.moving.empty());
-  options.length = 100.0;
-  EXPECT_THROW(town_loop(options), std::invalid_argument);
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double length : {100.0, 2e5, inf, nan}) {
+    options.length = length;
+    EXPECT_THROW(town_loop(options), std::invalid_argument) << length;
+  }
 }
 
 }  // namespace
