@@ -271,6 +271,17 @@ class Lidar(unittest.TestCase):
         self.assertEqual(len(rows), NUM_SCANS)
         self.assertEqual(run(folder, "--output", self.root / "mixed_quiet", "--point-times", "none", "--quiet").stderr, "")
 
+    def test_scans_beside_depth_images_are_named(self):
+        folder = self.copied_scans("both")
+        images = sorted((Path(sys.argv[2]) / "data/tum_fr1_desk_30/depth").glob("*.png"))[:2]
+        for k, image in enumerate(images):
+            (folder / f"{k}.png").write_bytes(image.read_bytes())
+        result = run(folder, "--camera", "tum-fr1", "--depth-scale", 5000, "--output", self.root / "both_depth")
+        self.assertIn("its depth images are tracked, and its 10 .bin scans left out: --sensor lidar tracks these", result.stderr)
+        self.assertEqual(len(rows_of(self.root / "both_depth/frames.csv")), len(images))
+        result, rows, _ = self.tracked(folder, "both_lidar", "--sensor", "lidar", "--last", 2)
+        self.assertEqual((result.stderr, len(rows)), ("", 2))
+
     def test_the_derived_voxel_size_is_recorded(self):
         result, _, metrics = self.tracked(self.scans, "derived", "--report", self.root / "derived.html")
         voxel = metrics["map_voxel"]
