@@ -66,10 +66,11 @@ TimeUnit unit_of(const Spacing& spacing) {
   for (const TimeUnit& unit : kUnits)
     if (is_possible(spacing, unit.per_s) && is_likely(spacing, unit.per_s)) fitting.push_back(unit);
   if (fitting.size() == 1) return fitting.front();
-  std::string guess = ", which suit no unit";
-  for (const TimeUnit& unit : fitting)
-    guess = (&unit == &fitting.front() ? ": " : guess + " or ") + std::string(unit.name) + "?";
-  throw std::invalid_argument("expected seconds, found " + found(spacing) + guess + " Write them in seconds");
+  std::string guess;
+  for (const TimeUnit& unit : fitting) guess += (guess.empty() ? ": " : " or ") + std::string(unit.name);
+  throw std::invalid_argument(
+      "expected seconds, found " + found(spacing) +
+      (guess.empty() ? ", which suit no unit; write them in seconds" : guess + "? Write them in seconds"));
 }
 
 // Of stamps that can be seconds.
