@@ -106,6 +106,17 @@ class CommandTest(unittest.TestCase):
         identity = [[float(i == j) for j in range(4)] for i in range(4)]
         self.assertLess(distance(json.loads((self.folder / "again.json").read_text())["T_target_source"], identity), 0.005)
 
+    def test_the_json_shows_what_was_done(self):
+        steps = ("search", "final_pass", "coarse_to_fine", "rolling_shutter")
+        for words, done in (((), (True, True)), (("--radius", 0.2), (True, False)), (("--no-search", "--no-final-pass"), (False, False)),
+                            (("--preset", "paper"), (False, False))):
+            finished = run("align", ROOM / "source.ply", ROOM / "target.ply", *words, "--json", "-")
+            options = json.loads(finished.stdout)["options"]
+            self.assertEqual((options["search"], options["final_pass"]), done, words)
+        self.assertFalse(any(options[step] for step in steps))
+        images = run("align", *IMAGES, "--camera", "tum-fr1", "--json", "-")
+        self.assertFalse(json.loads(images.stdout)["options"]["final_pass"])
+
     def test_far_coordinates_keep_their_millimetres(self):  # robustness 15
         source, target = (list(binary_points(ROOM / name)) for name in ("source.ply", "target.ply"))
         truth = matrix(ROOM / "T_target_source.txt")
