@@ -119,7 +119,9 @@ class WrongWordsTest(unittest.TestCase):
                             (("--report", "out.pdf"), "give out.html"),
                             (("--output", "a.ply", "--transform", "./a.ply"), "two outputs would be written to it")):
             self.assertIn(part, self.refused("align", *rooms, *words))
-        self.assertTrue(self.refused("align", rooms[0]).startswith("augicp: target is required"))
+        for words, missing in ((("align", rooms[0]), "target"), (("info",), "file"), (("unpack",), "bag"), (("odometry",), "sequence"),
+                               (("surface", "--output", "o.ply"), "input"), (("evaluate",), "estimate")):
+            self.assertTrue(self.refused(*words).startswith(f"augicp: {missing} is required"), words)
 
     def test_no_number_of_any_option_is_taken_for_another(self):
         """Inputs are missing, so that 2 is a refused number, and 3 one that was taken."""

@@ -128,7 +128,7 @@ std::string in_own_words(const CLI::App& command, const CLI::ParseError& error) 
   const std::string option = text.substr(0, text.find(' '));
   const CLI::Option* required = command.get_option_no_throw(option);
   if (dynamic_cast<const CLI::RequiredError*>(&error) && required && required->get_positional())
-    return text.substr(2);  // without the dashes, which nobody writes there
+    return text.substr(text.find_first_not_of('-'));  // without dashes, which nobody writes there
   return text;
 }
 
