@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCorrelation = 0.2;
 
-AlignOptions options_with(double gate) {
+AlignOptions gated_by(double gate) {
   AlignOptions options;
   options.information = point_information();
   options.gates.max_distance = gate;
@@ -30,8 +30,8 @@ TEST(KnownClouds, AreAlignedAsIfNothingWereKnown) {
   const std::unique_ptr<MatchSession> session = matcher.session(source);
   for (const double gate : {0.5, 0.05, 0.3, 0.1}) {
     const Rigid3 guess = testing::random_motion(generator, 0.1, 0.05);
-    const AlignResult known = align({source, matcher, *session}, guess, options_with(gate));
-    const AlignResult fresh = align(source, matcher, guess, options_with(gate));
+    const AlignResult known = align({source, matcher, *session}, guess, gated_by(gate));
+    const AlignResult fresh = align(source, matcher, guess, gated_by(gate));
     EXPECT_EQ(known.target_from_source.matrix(), fresh.target_from_source.matrix()) << gate;
     EXPECT_EQ(known.iterations, fresh.iterations) << gate;
     EXPECT_EQ(known.pairs, fresh.pairs) << gate;
@@ -44,7 +44,7 @@ TEST(KnownClouds, AResultHasWhatItsCovarianceNeeds) {
   const NearestMatcher matcher(target);
   std::mt19937 generator(5);
   const Cloud source = transform(target, testing::random_motion(generator, 0.01, 0.005));
-  AlignOptions options = options_with(0.3);
+  AlignOptions options = gated_by(0.3);
   const AlignResult without = align(source, matcher, Rigid3{}, options);
   options.correlation_length = kCorrelation;
   const AlignResult with = align(source, matcher, Rigid3{}, options);

@@ -12,7 +12,7 @@ namespace {
 // Five pairs; the last two compare no directions.
 const PairChi2 kChi2{{4.0f, 16.0f, 1.0f, 100.0f, 200.0f}, {4.0f, 1.0f, 9.0f, -1.0f, -1.0f}};
 
-AlignOptions options_with(std::optional<double> lever, double kernel_per_median = 8.0) {
+AlignOptions weighed_by(std::optional<double> lever, double kernel_per_median = 8.0) {
   AlignOptions options;
   options.lever = lever;
   options.kernel_per_median = kernel_per_median;
@@ -81,7 +81,7 @@ TEST(Weighing, IntensitiesAreOffWhereNotAskedForOrMissing) {
 TEST(Weighing, ALowQuantileIsThatOfTheFewTruePairs) {
   PairChi2 chi2{{0.01f}, std::vector<float>(11, -1.0f)};
   for (int k = 0; k < 10; ++k) chi2.position.push_back(100.0f + static_cast<float>(k));
-  AlignOptions options = options_with(0.0);
+  AlignOptions options = weighed_by(0.0);
   EXPECT_DOUBLE_EQ(weigh_pairs(chi2, options).kernel_chi2, 8.0 * 104.0);
   options.kernel_quantile = 0.05;
   EXPECT_FLOAT_EQ(static_cast<float>(weigh_pairs(chi2, options).kernel_chi2), 8.0f * 0.01f);
@@ -95,13 +95,13 @@ TEST(Weighing, LeverIsCapped) {
   EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options).lever, 1.0);
 }
 
-TEST(Weighing, FixedLeverIsTaken) { EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options_with(7.0)).lever, 7.0); }
+TEST(Weighing, FixedLeverIsTaken) { EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, weighed_by(7.0)).lever, 7.0); }
 
 TEST(Weighing, KernelIsAMultipleOfTheMedianUnderTheLever) {
   // Lever 1: 8, 17, 10, 100, 200. Lever 10: 404, 116, 901, 100, 200. Lever 0: 4, 16, 1, 100, 200.
   EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, {}).kernel_chi2, 8.0 * 17.0);
-  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options_with(10.0, 2.0)).kernel_chi2, 2.0 * 200.0);
-  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, options_with(0.0, 1.0)).kernel_chi2, 16.0);
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, weighed_by(10.0, 2.0)).kernel_chi2, 2.0 * 200.0);
+  EXPECT_DOUBLE_EQ(weigh_pairs(kChi2, weighed_by(0.0, 1.0)).kernel_chi2, 16.0);
 }
 
 TEST(Weighing, FixedKernelIsTaken) {
@@ -114,14 +114,14 @@ TEST(Weighing, FixedKernelIsTaken) {
 
 // Perfect directions have a median of zero, and infinity times zero is no kernel.
 TEST(Weighing, WithoutAKernelDirectionsCountInFullHoweverWellTheyFit) {
-  AlignOptions options = options_with(1.0);
+  AlignOptions options = weighed_by(1.0);
   options.kernel_direction_per_median = std::numeric_limits<double>::infinity();
   const PairChi2 perfect{{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 0.0f}};
   EXPECT_EQ(weigh_pairs(perfect, options).kernel_direction_chi2, std::numeric_limits<double>::infinity());
 }
 
 TEST(Weighing, NoDirectionComparedGivesNoLever) {
-  const Weighing weighing = weigh_pairs({{1.0f, 2.0f, 3.0f}, {-1.0f, -1.0f, -1.0f}}, options_with(std::nullopt, 1.0));
+  const Weighing weighing = weigh_pairs({{1.0f, 2.0f, 3.0f}, {-1.0f, -1.0f, -1.0f}}, weighed_by(std::nullopt, 1.0));
   EXPECT_EQ(weighing.lever, 0.0);
   EXPECT_DOUBLE_EQ(weighing.kernel_chi2, 2.0);
 }
@@ -144,7 +144,7 @@ TEST(Weighing, LessThanHalfOfFalsePairsChangeLittle) {
     chi2.direction.push_back(k < 45 ? 1e3f : 4.0f);
   }
   EXPECT_DOUBLE_EQ(weigh_pairs(chi2, {}).lever, 0.5);
-  EXPECT_DOUBLE_EQ(weigh_pairs(chi2, options_with(std::nullopt, 1.0)).kernel_chi2, 2.0);
+  EXPECT_DOUBLE_EQ(weigh_pairs(chi2, weighed_by(std::nullopt, 1.0)).kernel_chi2, 2.0);
 }
 
 }  // namespace

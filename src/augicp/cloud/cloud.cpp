@@ -7,14 +7,14 @@ namespace augicp {
 namespace {
 
 // Coordinates of whole points, and whole vectors of 16.
-constexpr std::size_t kLanes = 48;
+constexpr std::size_t kFloatLanes = 48;
 static_assert(sizeof(Vec3f) == 3 * sizeof(float));  // the coordinates of points are contiguous
 
-// REQUIRES: count is a multiple of kLanes.
+// REQUIRES: count is a multiple of kFloatLanes.
 AUGICP_VECTORIZED void widen(const float* __restrict coordinates, std::size_t count, float* __restrict min,
                              float* __restrict max) {
-  for (std::size_t first = 0; first < count; first += kLanes)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+  for (std::size_t first = 0; first < count; first += kFloatLanes)
+    for (std::size_t lane = 0; lane < kFloatLanes; ++lane) {
       const float x = coordinates[first + lane];
       min[lane] = x < min[lane] ? x : min[lane];
       max[lane] = x > max[lane] ? x : max[lane];
@@ -43,16 +43,16 @@ Cloud transform(const Cloud& cloud_in_a, const Rigid3& b_from_a) {
 Bounds bounds(const Cloud& cloud) {
   if (cloud.empty()) return {};
   const float* const first = cloud.points.front().data();
-  float min[kLanes], max[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane) min[lane] = max[lane] = first[lane % 3];
-  const std::size_t num_floats = 3 * cloud.size(), num_in_lanes = num_floats / kLanes * kLanes;
+  float min[kFloatLanes], max[kFloatLanes];
+  for (std::size_t lane = 0; lane < kFloatLanes; ++lane) min[lane] = max[lane] = first[lane % 3];
+  const std::size_t num_floats = 3 * cloud.size(), num_in_lanes = num_floats / kFloatLanes * kFloatLanes;
   widen(first, num_in_lanes, min, max);
   Bounds box{cloud.points.front(), cloud.points.front()};
   const auto add = [&](std::size_t axis, float low, float high) {
     if (low < box.min[axis]) box.min[axis] = low;
     if (high > box.max[axis]) box.max[axis] = high;
   };
-  for (std::size_t lane = 0; lane < kLanes; ++lane) add(lane % 3, min[lane], max[lane]);
+  for (std::size_t lane = 0; lane < kFloatLanes; ++lane) add(lane % 3, min[lane], max[lane]);
   for (std::size_t k = num_in_lanes; k < num_floats; ++k) add(k % 3, first[k], first[k]);
   return box;
 }

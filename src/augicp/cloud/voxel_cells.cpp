@@ -12,14 +12,14 @@ namespace {
 static_assert(sizeof(Vec3f) == 3 * sizeof(float) && sizeof(Parts) == 3 * sizeof(std::int64_t));
 
 // Coordinates of whole points, and whole vectors of eight.
-constexpr std::size_t kLanes = 24;
+constexpr std::size_t kDoubleLanes = 24;
 
-// Parts of the coordinates of points. REQUIRES: count is a multiple of kLanes.
+// Parts of the coordinates of points. REQUIRES: count is a multiple of kDoubleLanes.
 AUGICP_VECTORIZED void write_parts_of(const float* __restrict coordinates, std::size_t count,
                                       const double* __restrict min, double parts_per_metre,
                                       std::int64_t* __restrict written) {
-  for (std::size_t first = 0; first < count; first += kLanes)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+  for (std::size_t first = 0; first < count; first += kDoubleLanes)
+    for (std::size_t lane = 0; lane < kDoubleLanes; ++lane) {
       const double parts = (static_cast<double>(coordinates[first + lane]) - min[lane]) * parts_per_metre;
       written[first + lane] = static_cast<std::int64_t>(parts < kMaxPart ? parts : kMaxPart);
     }
@@ -29,9 +29,9 @@ AUGICP_VECTORIZED void write_parts_of(const float* __restrict coordinates, std::
 
 void VoxelCells::write_parts(std::span<const Vec3f> points, std::span<Parts> written) const {
   if (points.empty()) return;
-  std::array<double, kLanes> min;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) min[lane] = min_[static_cast<Eigen::Index>(lane % 3)];
-  const std::size_t in_lanes = 3 * points.size() / kLanes * kLanes;
+  std::array<double, kDoubleLanes> min;
+  for (std::size_t lane = 0; lane < kDoubleLanes; ++lane) min[lane] = min_[static_cast<Eigen::Index>(lane % 3)];
+  const std::size_t in_lanes = 3 * points.size() / kDoubleLanes * kDoubleLanes;
   write_parts_of(points.front().data(), in_lanes, min.data(), parts_per_metre_, written.front().data());
   for (std::size_t i = in_lanes / 3; i < points.size(); ++i) written[i] = parts(points[i]);
 }

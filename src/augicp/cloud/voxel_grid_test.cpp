@@ -209,7 +209,7 @@ TEST(EvenlyChosen, AreNoMoreThanAskedAndSpreadOverAll) {
     const std::size_t step = (cloud.size() + chosen.size() - 1) / chosen.size();
     for (std::size_t k = 0; k < chosen.size(); ++k) EXPECT_EQ(chosen.points[k], cloud.points[k * step]);
   }
-  EXPECT_TRUE(evenly_chosen({}, 5).empty());
+  EXPECT_TRUE(evenly_chosen(Cloud{}, 5).empty());
 }
 
 TEST(VoxelGrid, BadSizesAreRefused) {

@@ -6,13 +6,11 @@
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/check.h"
+#include "augicp/experiment/pose_error.h"
 #include "augicp/search/kd_tree.h"
 
 namespace augicp {
 namespace {
-
-// The true motions of the frames must be less than this apart, seconds.
-constexpr double kMaxTruthGap_s = 0.1;
 
 // More points than that say nothing more about an overlap.
 constexpr std::size_t kMaxCompared = 5000;

@@ -5,6 +5,9 @@
 
 namespace augicp {
 
+// The true motion of a frame is read between poses less than this apart, seconds.
+inline constexpr double kMaxTruthGap_s = 0.1;
+
 // Error of a motion.
 struct PoseError {
   double translation = 0.0;  // metres

@@ -13,6 +13,9 @@ namespace augicp {
 double uniform(std::mt19937& generator, double low, double high);
 double gaussian(std::mt19937& generator);
 
+// A seed for another generator.
+inline unsigned some_seed(std::mt19937& generator) { return static_cast<unsigned>(generator()); }
+
 // A unit vector, uniform on the sphere.
 Vec3d random_direction(std::mt19937& generator);
 

@@ -9,8 +9,6 @@
 namespace augicp {
 namespace {
 
-constexpr double kMaxTruthGap_s = 0.1;
-
 constexpr PoseError kSuccess{0.05, 2.0 * kRadPerDeg};
 constexpr PoseError kNarrowSuccess{0.02, 1.0 * kRadPerDeg};
 

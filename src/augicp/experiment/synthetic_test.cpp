@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-SyntheticOptions small_options() {
+SyntheticOptions small_synthetic_options() {
   SyntheticOptions options;
   options.num_points = 5000;
   options.outlier_shares = {0.5};
@@ -30,7 +30,7 @@ std::vector<double> rotation_curve(const std::vector<SyntheticRow>& rows, Method
 // The paper's claim, under the K of the authors' program. At the ends all agree: the guess is the same, and true pairs
 // tell every method the truth. Between them the order must hold.
 TEST(Synthetic, AugmentedIsAheadOfGicpAndGicpOfPointWhileTheyConverge) {
-  SyntheticOptions options = small_options();
+  SyntheticOptions options = small_synthetic_options();
   options.kernel_chi2 = 1000.0;
   const auto rows = run_synthetic(options, [] {});
   const auto point = rotation_curve(rows, Method::Point), gicp = rotation_curve(rows, Method::Gicp),
@@ -50,7 +50,7 @@ int iterations_to(const std::vector<double>& curve, double limit_rad) {
 // Nineteen of twenty pairs are false, and the median pair says nothing of the true ones.
 TEST(Synthetic, TheDefaultFindsFewTruePairsInFewerIterationsThanThePaper) {
   constexpr double kReached = 0.017453292519943295;  // 1 degree
-  SyntheticOptions options = small_options();
+  SyntheticOptions options = small_synthetic_options();
   options.iterations = 20;
   options.methods = {Method::Gicp, Method::Augmented};
   for (const double share : {0.0, 0.5, 0.9, 0.95, 0.99}) {
@@ -69,7 +69,7 @@ TEST(Synthetic, TheDefaultFindsFewTruePairsInFewerIterationsThanThePaper) {
 }
 
 TEST(Synthetic, EveryRunStartsThirtyDegreesAway) {
-  for (const SyntheticRow& row : run_synthetic(small_options(), [] {})) {
+  for (const SyntheticRow& row : run_synthetic(small_synthetic_options(), [] {})) {
     if (row.iteration > 0) continue;
     EXPECT_NEAR(row.rotation.mean, 0.5235987755982988, 1e-12);
     EXPECT_NEAR(row.translation.mean, 1.0, 1e-12);
@@ -78,7 +78,7 @@ TEST(Synthetic, EveryRunStartsThirtyDegreesAway) {
 }
 
 TEST(Synthetic, SameBitsForAnyNumberOfThreadsAndAgain) {
-  SyntheticOptions options = small_options();
+  SyntheticOptions options = small_synthetic_options();
   const auto rows = run_synthetic(options, [] {});
   options.num_threads = 3;
   const auto again = run_synthetic(options, [] {});
@@ -92,13 +92,13 @@ TEST(Synthetic, SameBitsForAnyNumberOfThreadsAndAgain) {
 
 TEST(Synthetic, OneReportForEveryRun) {
   std::size_t num_reported = 0;
-  const SyntheticOptions options = small_options();
+  const SyntheticOptions options = small_synthetic_options();
   run_synthetic(options, [&] { ++num_reported; });
   EXPECT_EQ(num_reported, num_runs(options));
 }
 
 TEST(Synthetic, RefusesOptionsOutOfRange) {
-  SyntheticOptions options = small_options();
+  SyntheticOptions options = small_synthetic_options();
   options.outlier_shares = {1.5};
   EXPECT_THROW(run_synthetic(options, [] {}), std::invalid_argument);
 }

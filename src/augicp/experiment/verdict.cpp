@@ -21,9 +21,6 @@ namespace {
 constexpr double kOverlapPerDepth = 0.03;
 constexpr double kNoOverlap = 0.01;
 
-// The true motions of the frames must be less than this apart, seconds.
-constexpr double kMaxTruthGap_s = 0.1;
-
 Scan read_frame(const VerdictSequence& from, std::size_t frame, int pixel_step) {
   DepthSequenceReader reader({from.sequence.frames[frame]}, from.sequence.depth_scale);
   const std::optional<DepthFrame> read = reader.next();

@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kQueriesPerBlock = 256;
+constexpr std::size_t kBallsPerBlock = 256;
 constexpr int kBitsPerAxis = 21;
 constexpr std::int64_t kMiddleCell = std::int64_t{1} << (kBitsPerAxis - 1);
 
@@ -97,16 +97,16 @@ BallLists::BallLists(const std::vector<Vec3f>& queries, const std::vector<Vec3f>
                      int num_threads)
     : begin_(queries.size() + 1) {
   const Cubes cubes(support, radius);
-  std::vector<std::vector<std::uint32_t>> found((queries.size() + kQueriesPerBlock - 1) / kQueriesPerBlock);
+  std::vector<std::vector<std::uint32_t>> found((queries.size() + kBallsPerBlock - 1) / kBallsPerBlock);
   const auto search = [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t>& of_block = found[begin / kQueriesPerBlock];
+    std::vector<std::uint32_t>& of_block = found[begin / kBallsPerBlock];
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t before = of_block.size();
       cubes.append_within(queries[i], of_block);
       begin_[i + 1] = of_block.size() - before;
     }
   };
-  for_each_block(queries.size(), num_threads, search, kQueriesPerBlock);
+  for_each_block(queries.size(), num_threads, search, kBallsPerBlock);
   for (std::size_t i = 0; i < queries.size(); ++i) begin_[i + 1] += begin_[i];
   indices_.reserve(begin_.back());
   for (const auto& of_block : found) indices_.insert(indices_.end(), of_block.begin(), of_block.end());

@@ -18,7 +18,7 @@ constexpr double kMinPoints = 5.0;
 constexpr double kMinPlaneRatio = 0.02;
 
 constexpr int kMaxRounds = 6;
-constexpr std::size_t kPointsPerBlock = 256;
+constexpr std::size_t kKeysPerBlock = 256;
 
 // Sums over offsets from a point.
 struct Moments {
@@ -103,7 +103,7 @@ KeyCloud key_cloud(const Cloud& cloud, double voxel_size, const std::optional<Ve
       keys.variation[i] = variation_of(around.large.gaussian());
     }
   };
-  for_each_block(keys.size(), num_threads, estimate, kPointsPerBlock);
+  for_each_block(keys.size(), num_threads, estimate, kKeysPerBlock);
   return keys;
 }
 

@@ -2,6 +2,7 @@
 #include "augicp/global/pair_columns.h"
 
 #include "augicp/core/vectorized.h"
+#include "augicp/global/dot.h"
 #include "augicp/global/packed_bits.h"
 
 namespace augicp {
@@ -19,9 +20,9 @@ std::array<std::vector<float>, 6> columns_of(const KeyPoints& keys, std::span<co
   return columns;
 }
 
-struct View {
+struct PairView {
   const float *x, *y, *z, *nx, *ny, *nz;
-  explicit View(const std::array<std::vector<float>, 6>& of)
+  explicit PairView(const std::array<std::vector<float>, 6>& of)
       : x(of[0].data()), y(of[1].data()), z(of[2].data()), nx(of[3].data()), ny(of[4].data()), nz(of[5].data()) {}
 };
 
@@ -43,18 +44,13 @@ struct Pose {
         z(of.translation.z()) {}
 };
 
-struct Limits {
+struct SupportLimits {
   float distance_sq, cosine;
 };
 
-// As Eigen adds them up.
-AUGICP_INLINE float dot(float ax, float ay, float az, float bx, float by, float bz) {
-  return ax * bx + (ay * by + az * bz);
-}
-
 AUGICP_VECTORIZED
-std::uint64_t supporting_bits(const View& source, const View& target, const Pose& pose, const Limits& limits,
-                              std::size_t begin) {
+std::uint64_t supporting_bits(const PairView& source, const PairView& target, const Pose& pose,
+                              const SupportLimits& limits, std::size_t begin) {
   alignas(64) std::int32_t supports[kBitsPerWord];
   for (std::size_t bit = 0; bit < kBitsPerWord; ++bit) {
     const std::size_t k = begin + bit;
@@ -81,8 +77,8 @@ PairColumns::PairColumns(const KeyPoints& source, const KeyPoints& target, std::
 
 std::vector<std::uint32_t> PairColumns::supporting(const Rigid3& target_from_source, double distance,
                                                    double cosine) const {
-  const Limits limits{static_cast<float>(distance * distance), static_cast<float>(cosine)};
-  const View from(source_), to(target_);
+  const SupportLimits limits{static_cast<float>(distance * distance), static_cast<float>(cosine)};
+  const PairView from(source_), to(target_);
   const Pose pose{Rigid3f(target_from_source)};
   std::vector<std::uint32_t> found;
   for (std::size_t begin = 0; begin < size_; begin += kBitsPerWord)

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "augicp/core/vectorized.h"
+#include "augicp/global/dot.h"
 #include "augicp/global/packed_bits.h"
 
 namespace augicp {
@@ -33,11 +34,6 @@ AUGICP_INLINE float like_angle(float x, float y) {
   const float behind = (y >= 0.0f ? 1.0f : -1.0f) - quarter;
   const float angle = x >= 0.0f ? quarter : behind;
   return sum > 0.0f ? angle : 0.0f;
-}
-
-// As Eigen adds them up.
-AUGICP_INLINE float dot(float ax, float ay, float az, float bx, float by, float bz) {
-  return ax * bx + (ay * by + az * bz);
 }
 
 // Points around one side by side: their offsets from it, and their normals. Filled up with zeros.

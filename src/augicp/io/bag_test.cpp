@@ -13,7 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const ReadOptions kKeep{.keep_fields = true};
+const ReadOptions kKeepBagFields{.keep_fields = true};
 
 std::string refusal_of_message(const std::string& message, MessageForm form) {
   try {
@@ -28,7 +28,8 @@ TEST(PointCloud2, BothFormsHoldTheSameCloud) {
   for (const bool is_cdr : {true, false})
     for (const std::uint32_t point_step : {20u, 27u}) {
       const MessageForm form = is_cdr ? MessageForm::Cdr : MessageForm::Ros1;
-      const PointCloud2 read = parse_point_cloud2("bag", testing::point_cloud2(is_cdr, point_step), form, kKeep);
+      const PointCloud2 read =
+          parse_point_cloud2("bag", testing::point_cloud2(is_cdr, point_step), form, kKeepBagFields);
       EXPECT_EQ(read.stamp_ns, 7'000'000'008);
       EXPECT_EQ(read.frame, "lidar");
       EXPECT_EQ(read.file.cloud.points, (std::vector<Vec3f>{{0, 2, -3}, {2, 2, -3}}));
@@ -198,7 +199,7 @@ TEST(Bag, PublicFiles) {
       EXPECT_EQ(topics[1].num_messages, 2688u);
     }
   const std::string message = read_bytes(shared / "dds_pointcloud2/dds_message.bin").bytes;
-  const PointCloud2 read = parse_point_cloud2("dds", message, MessageForm::Cdr, kKeep);
+  const PointCloud2 read = parse_point_cloud2("dds", message, MessageForm::Cdr, kKeepBagFields);
   EXPECT_EQ(read.frame, "lidar_link");
   EXPECT_EQ(read.file.report.num_declared, 64000u);
   EXPECT_EQ(read.file.fields.find("ring")->type, ScalarType::Uint16);

@@ -27,7 +27,7 @@ std::vector<double> upper_left(const std::vector<double>& n) {
   return {n[0], n[1], n[2], n[4], n[5], n[6], n[8], n[9], n[10]};
 }
 
-std::vector<double> numbers_of(std::string_view text) {
+std::vector<double> camera_numbers(std::string_view text) {
   try {
     return parse_number_list("camera", text, /*max_count=*/16);
   } catch (const std::invalid_argument& fault) {
@@ -38,7 +38,7 @@ std::vector<double> numbers_of(std::string_view text) {
 }
 
 DepthCamera from_numbers(std::string_view text) {
-  std::vector<double> n = numbers_of(text);
+  std::vector<double> n = camera_numbers(text);
   if (n.size() == 12) n.insert(n.end(), {0.0, 0.0, 0.0, 1.0});  // 3 x 4
   if (n.size() == 16) n = upper_left(n);
   const Pinhole pinhole = n.size() >= 4 ? Pinhole{n[0], n[1], n[2], n[3]} : Pinhole{};

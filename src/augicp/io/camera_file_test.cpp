@@ -10,7 +10,7 @@
 namespace augicp {
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string camera_refusal(const std::string& text) {
   try {
     parse_camera({"camera.txt", text});
   } catch (const IoError& error) {
@@ -136,7 +136,7 @@ TEST(CameraFile, AnUnknownNameListsTheKnownOnes) {
 TEST(CameraFile, DeepJsonIsRefused) {
   constexpr std::size_t kDeep = 400000;
   const std::string lists = std::string(kDeep, '[') + std::string(kDeep, ']');
-  EXPECT_THAT(refusal(R"({"intrinsic": {"a": )" + lists + "}}"), ::testing::HasSubstr("less deep than"));
+  EXPECT_THAT(camera_refusal(R"({"intrinsic": {"a": )" + lists + "}}"), ::testing::HasSubstr("less deep than"));
 }
 
 TEST(CameraFile, WhatIsNoCameraIsRefused) {
@@ -175,7 +175,7 @@ TEST(CameraFile, WhatIsNoCameraIsRefused) {
       {R"({"readout_s": -1, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "readout_s"},
       {R"({"width": 1e99, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "expected \"width\" in pixels"},
       {R"({"width": -1, "intrinsic_matrix": [585,0,0, 0,585,0, 320,240,1]})", "expected \"width\" in pixels"}};
-  for (const auto& [text, message] : cases) EXPECT_THAT(refusal(text), ::testing::HasSubstr(message)) << text;
+  for (const auto& [text, message] : cases) EXPECT_THAT(camera_refusal(text), ::testing::HasSubstr(message)) << text;
   try {
     read_camera("585 585 320");
     ADD_FAILURE();

@@ -16,7 +16,7 @@ namespace {
 
 Numbers json_value(std::string_view text, const char* key) { return json_numbers("camera", text, key); }
 
-double one_number(std::string_view json, const char* key) {
+double one_json_number(std::string_view json, const char* key) {
   const Numbers numbers = json_value(json, key);
   if (!numbers || numbers->size() != 1)
     throw std::invalid_argument(fmt::format("camera: expected \"{}\" to be one number", key));
@@ -48,10 +48,10 @@ bool is_inverse_lens(std::string_view json) {
 
 // librealsense's intrinsics. Its depth images have no distortion; the inverse model of colour is another than ours.
 DepthCamera camera_of_realsense(std::string_view json) {
-  DepthCamera camera{{one_number(json, "fx"), one_number(json, "fy"), 0.0, 0.0}, {}};
+  DepthCamera camera{{one_json_number(json, "fx"), one_json_number(json, "fy"), 0.0, 0.0}, {}};
   const bool has_ppx = json_value(json, "ppx").has_value();
-  camera.pinhole.cx = one_number(json, has_ppx ? "ppx" : "cx");
-  camera.pinhole.cy = one_number(json, has_ppx ? "ppy" : "cy");
+  camera.pinhole.cx = one_json_number(json, has_ppx ? "ppx" : "cx");
+  camera.pinhole.cy = one_json_number(json, has_ppx ? "ppy" : "cy");
   camera.distortion = distortion_of(json_value(json, "coeffs"), "coeffs");
   if (!camera.distortion.is_none() && is_inverse_lens(json))
     throw std::invalid_argument("camera: expected the lens model Brown-Conrady, found its inverse");

@@ -105,7 +105,7 @@ void require_one(std::string_view text, const char* key) {
     throw std::invalid_argument(fmt::format("camera: expected one camera, found \"{}\" twice", key));
 }
 
-double one_number(std::string_view text, const char* key) {
+double one_yaml_number(std::string_view text, const char* key) {
   const Numbers numbers = yaml_value(text, key);
   if (!numbers || numbers->size() != 1)
     throw std::invalid_argument(fmt::format("camera: expected \"{}\" with one number", key));
@@ -138,11 +138,12 @@ DepthCamera camera_of_list(std::string_view text) {
 // One line a number: fx, Camera.fx (ORB-SLAM), fx = 525.
 DepthCamera camera_of_labels(std::string_view text) {
   require_one(text, kFirstLabel);
-  DepthCamera camera{{one_number(text, "fx"), one_number(text, "fy"), one_number(text, "cx"), one_number(text, "cy")},
+  DepthCamera camera{{one_yaml_number(text, "fx"), one_yaml_number(text, "fy"), one_yaml_number(text, "cx"),
+                      one_yaml_number(text, "cy")},
                      {}};
   std::vector<double> lens;
   for (const char* key : {"k1", "k2", "p1", "p2", "k3"})
-    lens.push_back(behind_key(text, key) ? one_number(text, key) : 0);
+    lens.push_back(behind_key(text, key) ? one_yaml_number(text, key) : 0);
   camera.distortion = distortion_of(lens, "k1");
   return camera;
 }

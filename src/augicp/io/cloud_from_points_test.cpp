@@ -15,7 +15,7 @@
 namespace augicp {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 PointSource source_of(const std::vector<Vec3d>& points) {
   PointSource source;
@@ -26,7 +26,7 @@ PointSource source_of(const std::vector<Vec3d>& points) {
 
 // Far from zero, so that both choose an origin.
 TEST(CloudFromPoints, EqualsAFileWithTheSameNumbers) {
-  const std::vector<Vec3d> points{{4e6, 1.5, 2.0}, {4e6 + 0.25, 1.0, kNan}, {4e6 + 1.0, 0.5, 0.125}};
+  const std::vector<Vec3d> points{{4e6, 1.5, 2.0}, {4e6 + 0.25, 1.0, kNoNumber}, {4e6 + 1.0, 0.5, 0.125}};
   const FileBytes file{"a.xyz", "4000000 1.5 2\n4000000.25 1 nan\n4000001 0.5 0.125\n"};
   const CloudFile expected = parse_cloud(file), found = cloud_from_points(source_of(points));
   EXPECT_EQ(found.cloud.points, expected.cloud.points);
@@ -48,7 +48,7 @@ TEST(CloudFromPoints, NormalsAreOfPlanesUnlessToldOtherwise) {
 
 TEST(CloudFromPoints, ManyAtOnceAreTheSameAsOneByOne) {
   std::vector<Vec3d> points;
-  for (int i = 0; i < 1000; ++i) points.emplace_back(1e6 + 0.1 * i, i % 7, i % 100 == 3 ? kNan : 0.5);
+  for (int i = 0; i < 1000; ++i) points.emplace_back(1e6 + 0.1 * i, i % 7, i % 100 == 3 ? kNoNumber : 0.5);
   PointSource source = source_of(points);
   const CloudFile expected = cloud_from_points(source);
   source.position = {};
@@ -68,7 +68,7 @@ TEST(CloudFromPoints, ManyAtOnceAreTheSameAsOneByOne) {
 
 TEST(CloudFromPoints, MayBeEmpty) {
   EXPECT_TRUE(cloud_from_points(source_of({})).cloud.empty());
-  const std::vector<Vec3d> nowhere{{kNan, 0, 0}};
+  const std::vector<Vec3d> nowhere{{kNoNumber, 0, 0}};
   EXPECT_TRUE(cloud_from_points(source_of(nowhere)).cloud.empty());
 }
 

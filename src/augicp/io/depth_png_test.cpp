@@ -14,7 +14,7 @@
 namespace augicp {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
 
 std::string png_of(const DepthImage& image, double depth_scale) {
   const testing::TemporaryFolder folder;
@@ -22,13 +22,13 @@ std::string png_of(const DepthImage& image, double depth_scale) {
   return read_bytes(folder / "depth.png").bytes;
 }
 
-std::string small_png() { return png_of({3, 2, {1.0f, kNan, 2.5f, 0.25f, 10.0f, 0.001f}}, 1000.0); }
+std::string small_png() { return png_of({3, 2, {1.0f, kNoDepth, 2.5f, 0.25f, 10.0f, 0.001f}}, 1000.0); }
 
-DepthImage parse(const std::string& bytes) { return parse_depth_png({"depth.png", bytes}, 1000.0); }
+DepthImage parsed_png(const std::string& bytes) { return parse_depth_png({"depth.png", bytes}, 1000.0); }
 
-std::string refusal(const std::string& bytes) {
+std::string depth_refusal(const std::string& bytes) {
   try {
-    parse(bytes);
+    parsed_png(bytes);
   } catch (const IoError& error) {
     return error.what();
   }
@@ -63,7 +63,7 @@ std::string with_header(std::uint32_t width, std::uint32_t height, int bit_depth
 }
 
 TEST(DepthPng, WriteThenReadIsIdentity) {
-  const DepthImage image = parse(small_png());
+  const DepthImage image = parsed_png(small_png());
   EXPECT_EQ(image.width, 3);
   EXPECT_EQ(image.height, 2);
   EXPECT_EQ(image.at(0, 0), 1.0f);
@@ -75,7 +75,7 @@ TEST(DepthPng, WriteThenReadIsIdentity) {
 
 TEST(DepthPng, WhatDoesNotFitIsWrittenAsNoReading) {
   const DepthImage image =
-      parse(png_of({5, 1, {66.0f, -1.0f, kNan, std::numeric_limits<float>::infinity(), 65.534f}}, 1000.0));
+      parsed_png(png_of({5, 1, {66.0f, -1.0f, kNoDepth, std::numeric_limits<float>::infinity(), 65.534f}}, 1000.0));
   for (int u = 0; u < 4; ++u) EXPECT_TRUE(std::isnan(image.at(u, 0))) << u;
   EXPECT_EQ(image.at(4, 0), 65.534f);
 }
@@ -83,7 +83,8 @@ TEST(DepthPng, WhatDoesNotFitIsWrittenAsNoReading) {
 // robustness 1, 7
 TEST(DepthPng, EveryCutIsAnError) {
   const std::string png = small_png();
-  for (std::size_t length = 0; length < png.size(); ++length) EXPECT_NE(refusal(png.substr(0, length)), "") << length;
+  for (std::size_t length = 0; length < png.size(); ++length)
+    EXPECT_NE(depth_refusal(png.substr(0, length)), "") << length;
 }
 
 // robustness 7: every byte is under a checksum, or part of the frame.
@@ -91,13 +92,13 @@ TEST(DepthPng, EveryFlippedByteIsAnError) {
   for (std::size_t i = 0; i < small_png().size(); ++i) {
     std::string png = small_png();
     png[i] = static_cast<char>(png[i] ^ 0x55);
-    EXPECT_NE(refusal(png), "") << i;
+    EXPECT_NE(depth_refusal(png), "") << i;
   }
 }
 
 // robustness 7
 TEST(DepthPng, OtherKindsAreNamedInTheError) {
-  ASSERT_EQ(refusal(with_header(3, 2, 16, 0, 0)), "");
+  ASSERT_EQ(depth_refusal(with_header(3, 2, 16, 0, 0)), "");
   const std::pair<std::string, const char*> cases[] = {{with_header(3, 2, 8, 0, 0), "found 8-bit grey"},
                                                        {with_header(3, 2, 16, 2, 0), "found 16-bit RGB"},
                                                        {with_header(3, 2, 8, 3, 0), "found 8-bit palette"},
@@ -107,7 +108,7 @@ TEST(DepthPng, OtherKindsAreNamedInTheError) {
                                                        {with_header(16384, 16384, 16, 0, 0), "too short"},
                                                        {"no PNG", "expected a whole PNG"},
                                                        {"", "expected a whole PNG"}};
-  for (const auto& [bytes, message] : cases) EXPECT_THAT(refusal(bytes), ::testing::HasSubstr(message));
+  for (const auto& [bytes, message] : cases) EXPECT_THAT(depth_refusal(bytes), ::testing::HasSubstr(message));
 }
 
 // robustness 7
@@ -125,18 +126,18 @@ TEST(DepthPng, TheLargestValueIsNoReading) {
   };
   append_chunk(data);
   append_chunk("IEND");
-  EXPECT_TRUE(std::isnan(parse(png).at(0, 0)));
+  EXPECT_TRUE(std::isnan(parsed_png(png).at(0, 0)));
 }
 
 TEST(DepthPng, AnImageWithoutReadingsIsRead) {
-  const DepthImage image = parse(png_of({2, 1, {kNan, 0.0f}}, 1000.0));
+  const DepthImage image = parsed_png(png_of({2, 1, {kNoDepth, 0.0f}}, 1000.0));
   EXPECT_TRUE(std::isnan(image.at(0, 0)) && std::isnan(image.at(1, 0)));
   EXPECT_NO_THROW(check_depth_scale(image, "depth.png", 1000.0));
 }
 
 // robustness 7
 TEST(DepthPng, AnUnlikelyMedianDepthIsBlamedOnTheScale) {
-  const auto image_at = [](float depth) { return DepthImage{3, 1, {depth, kNan, depth}}; };
+  const auto image_at = [](float depth) { return DepthImage{3, 1, {depth, kNoDepth, depth}}; };
   for (float depth : {0.05f, 1.0f, 200.0f}) EXPECT_NO_THROW(check_depth_scale(image_at(depth), "depth.png", 1000.0));
   for (float depth : {0.04f, 201.0f}) {
     EXPECT_THROW(check_depth_scale(image_at(depth), "depth.png", 1000.0), IoError);

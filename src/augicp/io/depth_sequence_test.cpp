@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 DepthImage flat(float depth) { return {2, 2, {depth, depth, depth, depth}}; }
 
-std::string refusal(const fs::path& folder) {
+std::string folder_refusal(const fs::path& folder) {
   try {
     read_depth_sequence(folder);
   } catch (const IoError& error) {
@@ -116,7 +116,7 @@ TEST(DepthSequence, NamesThatAreStampsAreStamps) {
   EXPECT_EQ(sequence.frames[1].stamp_s, 1305031453.404816);
   EXPECT_EQ(sequence.frames[2].stamp_s, 1305031454.005);
   write_file(folder / "1305031453374.png", "");
-  EXPECT_THAT(refusal(folder.path()), HasSubstr("write a depth.txt"));
+  EXPECT_THAT(folder_refusal(folder.path()), HasSubstr("write a depth.txt"));
 }
 
 TEST(DepthSequence, PathsInAListMayHaveBlanks) {
@@ -157,18 +157,18 @@ TEST(DepthSequence, AFoldersCameraComesWhole) {
 
 TEST(DepthSequence, WhatIsNoSequenceIsRefused) {
   const testing::TemporaryFolder folder;
-  EXPECT_THAT(refusal(folder / "missing"), HasSubstr("expected a folder of depth images"));
-  EXPECT_THAT(refusal(folder.path()), HasSubstr("found no image"));
+  EXPECT_THAT(folder_refusal(folder / "missing"), HasSubstr("expected a folder of depth images"));
+  EXPECT_THAT(folder_refusal(folder.path()), HasSubstr("found no image"));
   write_file(folder / "1.png", "");
   write_file(folder / "01.png", "");
-  EXPECT_THAT(refusal(folder.path()), HasSubstr("expected one image a number"));
+  EXPECT_THAT(folder_refusal(folder.path()), HasSubstr("expected one image a number"));
   for (const auto& [list, message] : {std::pair{"1.0 a.png\nx b.png\n", "line 2: expected a time stamp"},
                                       std::pair{"nan a.png\n", "line 1: expected a time stamp"},
                                       std::pair{"1.0\n", "line 1: expected a time stamp and a path"},
                                       std::pair{"0 a.png\n1e15 b.png\n", "depth.txt: expected seconds, found stamps"},
                                       std::pair{"# nothing\n", "found no image"}}) {
     write_file(folder / "depth.txt", list);
-    EXPECT_THAT(refusal(folder.path()), HasSubstr(message)) << list;
+    EXPECT_THAT(folder_refusal(folder.path()), HasSubstr(message)) << list;
   }
   EXPECT_THROW(read_depth_sequence(folder.path(), 0.0), std::invalid_argument);
 }

@@ -213,7 +213,7 @@ TEST(DepthTiff, LzwIsReadBeyondAFullTable) {
       ASSERT_FLOAT_EQ(image.depth[v * tiff.width + u], static_cast<float>(value_at(v, u) / 1000.0)) << v << " " << u;
 }
 
-std::string refusal(const std::string& bytes) {
+std::string tiff_refusal(const std::string& bytes) {
   try {
     parse_depth_image({"a.tif", bytes}, 1000.0);
   } catch (const IoError& error) {
@@ -228,7 +228,7 @@ TEST(DepthTiff, CutsAreRefused) {
     tiff.compression = compression;
     const std::string bytes = file_of(tiff);
     for (std::size_t length = 0; length < bytes.size(); ++length)
-      ASSERT_THAT(refusal(bytes.substr(0, length)), HasSubstr("a.tif: ")) << compression << ", " << length;
+      ASSERT_THAT(tiff_refusal(bytes.substr(0, length)), HasSubstr("a.tif: ")) << compression << ", " << length;
   }
 }
 
@@ -236,17 +236,17 @@ TEST(DepthTiff, OtherImagesAreRefused) {
   const auto with = [](auto change) {
     Tiff tiff = integers();
     change(tiff);
-    return refusal(file_of(tiff));
+    return tiff_refusal(file_of(tiff));
   };
   EXPECT_THAT(with([](Tiff& tiff) { tiff.bits = 8; }), HasSubstr("found 1 channels of 8 bits"));
   EXPECT_THAT(with([](Tiff& tiff) { tiff.predictor = 3; }), HasSubstr("predictor"));
   EXPECT_THAT(with([](Tiff& tiff) { tiff.compression = 7; }), HasSubstr("found number 7"));
-  EXPECT_THAT(refusal("II+\0\0\0\0\0\0"), HasSubstr("II"));
-  EXPECT_THAT(refusal(std::string("II\x2b\0\x08\0\0\0", 8)), HasSubstr("BigTIFF"));
-  EXPECT_THAT(refusal("\x89PNG\r\n\x1a\n"), HasSubstr("expected 'II' or 'MM'"));
+  EXPECT_THAT(tiff_refusal("II+\0\0\0\0\0\0"), HasSubstr("II"));
+  EXPECT_THAT(tiff_refusal(std::string("II\x2b\0\x08\0\0\0", 8)), HasSubstr("BigTIFF"));
+  EXPECT_THAT(tiff_refusal("\x89PNG\r\n\x1a\n"), HasSubstr("expected 'II' or 'MM'"));
   std::string two = file_of(integers());
   two[two.size() - 4] = 8;
-  EXPECT_THAT(refusal(two), HasSubstr("several images"));
+  EXPECT_THAT(tiff_refusal(two), HasSubstr("several images"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+constexpr std::size_t kGlbHeader = 12, kChunkHeader = 8;
 constexpr std::uint64_t kJson = 0x4e4f534a, kBinary = 0x004e4942;  // "JSON", "BIN\0"
 
 std::uint64_t number_at(const FileBytes& file, std::size_t at) {
@@ -31,9 +31,10 @@ GltfText glb_text(const FileBytes& file) {
     throw io_error_at_byte(file.path, 4, fmt::format("expected version 2 of glTF, found {}", version));
   if (const std::uint64_t length = number_at(file, 8); length != file.bytes.size())
     throw io_error_at_byte(file.path, 8, fmt::format("expected {} bytes, found {}", length, file.bytes.size()));
-  if (number_at(file, kHeader + 4) != kJson) throw io_error_at_byte(file.path, kHeader, "expected a chunk 'JSON'");
-  GltfText text{chunk_at(file, kHeader), std::nullopt};
-  const std::size_t next = kHeader + kChunkHeader + text.json.size();
+  if (number_at(file, kGlbHeader + 4) != kJson)
+    throw io_error_at_byte(file.path, kGlbHeader, "expected a chunk 'JSON'");
+  GltfText text{chunk_at(file, kGlbHeader), std::nullopt};
+  const std::size_t next = kGlbHeader + kChunkHeader + text.json.size();
   if (next < file.bytes.size() && number_at(file, next + 4) == kBinary) text.binary = chunk_at(file, next);
   return text;
 }

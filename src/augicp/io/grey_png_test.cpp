@@ -29,7 +29,7 @@ const std::string kRgb = png("08020000007b40e8dd", "0000000d4944415478da63f8cf00
 const std::string kRgba = png("0806000000f4227f8a", "000000114944415478da63f8cfc0d0c0c0f09f01000c7f027ff555ae82");
 const std::string kGreyAlpha = png("08040000005e2bb701", "0000000d4944415478da6330feff9f010005cc02324a672915");
 
-std::string refusal(const std::string& bytes) {
+std::string grey_refusal(const std::string& bytes) {
   try {
     parse_grey_png({"colour.png", bytes});
   } catch (const IoError& error) {
@@ -49,7 +49,7 @@ TEST(GreyPng, GreyRgbAndRgbaBecomeBrightness) {
 }
 
 TEST(GreyPng, OtherKindsAreErrors) {
-  EXPECT_THAT(refusal(kGreyAlpha), ::testing::HasSubstr("found 8-bit grey with alpha"));
+  EXPECT_THAT(grey_refusal(kGreyAlpha), ::testing::HasSubstr("found 8-bit grey with alpha"));
   const testing::TemporaryFolder folder;
   write_depth_png(folder / "depth.png", {2, 1, {1.0f, 2.0f}}, 1000.0);
   EXPECT_THROW(read_grey_png(folder / "depth.png"), IoError);  // 16-bit grey
@@ -59,11 +59,11 @@ TEST(GreyPng, OtherKindsAreErrors) {
 
 TEST(GreyPng, EveryCutAndEveryChangedByteOfThePixelsIsSeen) {
   for (std::size_t length = 0; length < kRgba.size(); ++length)
-    EXPECT_THAT(refusal(kRgba.substr(0, length)), ::testing::StartsWith("colour.png: ")) << length;
+    EXPECT_THAT(grey_refusal(kRgba.substr(0, length)), ::testing::StartsWith("colour.png: ")) << length;
   for (std::size_t at = 12; at < kRgba.size() - 12; ++at) {
     std::string changed = kRgba;
     changed[at] = static_cast<char>(changed[at] ^ 0x40);
-    EXPECT_NE(refusal(changed), "") << at;
+    EXPECT_NE(grey_refusal(changed), "") << at;
   }
 }
 

@@ -5,13 +5,10 @@
 #include "augicp/io/bag_parts.h"
 #include "augicp/io/decompress.h"
 #include "augicp/io/format.h"
+#include "augicp/io/mcap_format.h"
 
 namespace augicp {
 namespace {
-
-constexpr std::string_view kMagic = "\x89MCAP0\r\n";
-
-enum Opcode : std::uint8_t { kFooter = 2, kSchema = 3, kChannel = 4, kMessage = 5, kChunk = 6, kDataEnd = 15 };
 
 struct Channel {
   std::string topic, type;
@@ -21,7 +18,7 @@ struct Channel {
 class McapReader : public MessageSource {
  public:
   explicit McapReader(const std::filesystem::path& path) : path_(path), file_(path) {
-    if (file_.num_left() < kMagic.size() || file_.read(kMagic.size()) != kMagic)
+    if (file_.num_left() < mcap::kMagic.size() || file_.read(mcap::kMagic.size()) != mcap::kMagic)
       throw io_error_at_byte(path_, 0, "expected the mark of an MCAP file");
   }
 
@@ -41,9 +38,9 @@ class McapReader : public MessageSource {
     ByteReader reader(path_, head);
     const auto opcode = static_cast<std::uint8_t>(reader.take_number(1));
     const std::uint64_t length = reader.take_number(8);
-    is_at_end_ = opcode == kDataEnd || opcode == kFooter;
+    is_at_end_ = opcode == mcap::kDataEnd || opcode == mcap::kFooter;
     if (is_at_end_) return std::nullopt;
-    if (opcode == kSchema || opcode == kChannel || opcode == kMessage || opcode == kChunk) {
+    if (opcode == mcap::kSchema || opcode == mcap::kChannel || opcode == mcap::kMessage || opcode == mcap::kChunk) {
       record_ = file_.read(length);
       return take_record(opcode, record_);
     }
@@ -54,16 +51,16 @@ class McapReader : public MessageSource {
   std::optional<BagMessage> from_chunk() {
     const auto opcode = static_cast<std::uint8_t>(in_chunk_.take_number(1));
     const std::string_view content = in_chunk_.take(in_chunk_.take_number(8));
-    if (opcode == kChunk) throw io_error(path_, "expected no chunk within another");
+    if (opcode == mcap::kChunk) throw io_error(path_, "expected no chunk within another");
     return take_record(opcode, content);
   }
 
   std::optional<BagMessage> take_record(std::uint8_t opcode, std::string_view content) {
     ByteReader reader(path_, content);
-    if (opcode == kSchema) add_schema(reader);
-    if (opcode == kChannel) add_channel(reader);
-    if (opcode == kChunk) open_chunk(reader);
-    return opcode == kMessage ? std::optional(message_in(reader)) : std::nullopt;
+    if (opcode == mcap::kSchema) add_schema(reader);
+    if (opcode == mcap::kChannel) add_channel(reader);
+    if (opcode == mcap::kChunk) open_chunk(reader);
+    return opcode == mcap::kMessage ? std::optional(message_in(reader)) : std::nullopt;
   }
 
   void add_schema(ByteReader& reader) {

@@ -5,27 +5,13 @@
 #include <stdexcept>
 
 #include "augicp/io/cdr_writer.h"
+#include "augicp/io/mcap_format.h"
 
 namespace augicp {
 namespace {
 
-constexpr std::string_view kMagic = "\x89MCAP0\r\n";
 constexpr std::size_t kChunkBytes = std::size_t{4} << 20;
 constexpr std::uint32_t kNoChecksum = 0;
-
-enum Opcode : std::uint8_t {
-  kHeader = 1,
-  kFooter = 2,
-  kSchema = 3,
-  kChannel = 4,
-  kMessage = 5,
-  kChunk = 6,
-  kMessageIndex = 7,
-  kChunkIndex = 8,
-  kStatistics = 11,
-  kSummaryOffset = 14,
-  kDataEnd = 15
-};
 
 // The content of a record.
 class Content {
@@ -45,7 +31,7 @@ class Content {
   }
   const std::string& bytes() const { return bytes_; }
 
-  std::string record(Opcode opcode) const {
+  std::string record(mcap::Opcode opcode) const {
     std::string record(1, static_cast<char>(opcode));
     append_number(record, std::uint64_t{bytes_.size()});
     return record += bytes_;
@@ -64,8 +50,8 @@ void McapWriter::Stamps::add(std::uint64_t stamp_ns) {
 }
 
 McapWriter::McapWriter(const std::filesystem::path& path) : file_(path) {
-  put(kMagic);
-  put(Content().text("ros2").text("augicp").record(kHeader));
+  put(mcap::kMagic);
+  put(Content().text("ros2").text("augicp").record(mcap::kHeader));
 }
 
 std::uint16_t McapWriter::add_topic(std::string_view topic, const RosType& type) {
@@ -74,14 +60,19 @@ std::uint16_t McapWriter::add_topic(std::string_view topic, const RosType& type)
     const auto id = static_cast<std::uint16_t>(schema_of_.size() + 1);  // 0 is none
     schema = schema_of_.emplace(type.name, id).first;
     const std::string record =
-        Content().number(id).text(type.name).text("ros2msg").text(type.definition).record(kSchema);
+        Content().number(id).text(type.name).text("ros2msg").text(type.definition).record(mcap::kSchema);
     schemas_ += record;
     chunk_ += record;
   }
   const auto id = static_cast<std::uint16_t>(num_messages_.size());
   num_messages_[id] = 0;
-  const std::string record =
-      Content().number(id).number(schema->second).text(topic).text("cdr").number(std::uint32_t{0}).record(kChannel);
+  const std::string record = Content()
+                                 .number(id)
+                                 .number(schema->second)
+                                 .text(topic)
+                                 .text("cdr")
+                                 .number(std::uint32_t{0})
+                                 .record(mcap::kChannel);
   channels_ += record;
   chunk_ += record;
   return id;
@@ -92,7 +83,7 @@ void McapWriter::write(std::uint16_t topic, std::int64_t stamp_ns, std::string_v
   const auto stamp = static_cast<std::uint64_t>(stamp_ns);
   entries_[topic].emplace_back(stamp, chunk_.size());
   const auto number = static_cast<std::uint32_t>(num_messages_.at(topic)++);
-  chunk_ += Content().number(topic).number(number).number(stamp).number(stamp).raw(message).record(kMessage);
+  chunk_ += Content().number(topic).number(number).number(stamp).number(stamp).raw(message).record(mcap::kMessage);
   in_chunk_.add(stamp);
   all_.add(stamp);
   if (chunk_.size() >= kChunkBytes) put_chunk();
@@ -100,9 +91,9 @@ void McapWriter::write(std::uint16_t topic, std::int64_t stamp_ns, std::string_v
 
 void McapWriter::commit() {
   if (!chunk_.empty()) put_chunk();
-  put(Content().number(kNoChecksum).record(kDataEnd));
+  put(Content().number(kNoChecksum).record(mcap::kDataEnd));
   put_summary();
-  put(kMagic);
+  put(mcap::kMagic);
   file_.commit();
 }
 
@@ -121,7 +112,7 @@ void McapWriter::put_chunk() {
           .text("")
           .number(size)
           .raw(chunk_)
-          .record(kChunk));
+          .record(mcap::kChunk));
   const std::uint64_t end = offset_;
   std::map<std::uint16_t, std::uint64_t> indices;
   for (const auto& [topic, entries] : entries_) {
@@ -129,7 +120,7 @@ void McapWriter::put_chunk() {
     Content index;
     index.number(topic).number(static_cast<std::uint32_t>(16 * entries.size()));
     for (const auto& [stamp, place] : entries) index.number(stamp).number(place);
-    put(index.record(kMessageIndex));
+    put(index.record(mcap::kMessageIndex));
   }
   put_chunk_index(begin, end - begin, indices, offset_ - end);
   ++num_chunks_;
@@ -145,7 +136,7 @@ void McapWriter::put_chunk_index(std::uint64_t begin, std::uint64_t length,
   index.number(static_cast<std::uint32_t>(10 * indices.size()));
   for (const auto& [topic, place] : indices) index.number(topic).number(place);
   index.number(indices_length).text("").number(std::uint64_t{chunk_.size()}).number(std::uint64_t{chunk_.size()});
-  chunk_indices_ += index.record(kChunkIndex);
+  chunk_indices_ += index.record(mcap::kChunkIndex);
 }
 
 std::string McapWriter::statistics() const {
@@ -155,26 +146,28 @@ std::string McapWriter::statistics() const {
   content.number(std::uint32_t{0}).number(std::uint32_t{0}).number(num_chunks_);  // attachments, metadata, chunks
   content.number(all_.first).number(all_.last).number(static_cast<std::uint32_t>(10 * num_messages_.size()));
   for (const auto& [topic, count] : num_messages_) content.number(topic).number(count);
-  return content.record(kStatistics);
+  return content.record(mcap::kStatistics);
 }
 
 void McapWriter::put_summary() {
   const std::uint64_t begin = offset_;
   std::string offsets;
-  const std::pair<Opcode, std::string> groups[] = {
-      {kSchema, schemas_}, {kChannel, channels_}, {kStatistics, statistics()}, {kChunkIndex, chunk_indices_}};
+  const std::pair<mcap::Opcode, std::string> groups[] = {{mcap::kSchema, schemas_},
+                                                         {mcap::kChannel, channels_},
+                                                         {mcap::kStatistics, statistics()},
+                                                         {mcap::kChunkIndex, chunk_indices_}};
   for (const auto& [opcode, records] : groups) {
     if (records.empty()) continue;
     offsets += Content()
                    .number(static_cast<std::uint8_t>(opcode))
                    .number(offset_)
                    .number(std::uint64_t{records.size()})
-                   .record(kSummaryOffset);
+                   .record(mcap::kSummaryOffset);
     put(records);
   }
   const std::uint64_t place_of_offsets = offset_;
   put(offsets);
-  put(Content().number(begin).number(place_of_offsets).number(kNoChecksum).record(kFooter));
+  put(Content().number(begin).number(place_of_offsets).number(kNoChecksum).record(mcap::kFooter));
 }
 
 }  // namespace augicp

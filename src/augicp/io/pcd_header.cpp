@@ -16,7 +16,6 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kMaxHeaderLine = 65'536;
 constexpr std::uint64_t kMaxCount = 1 << 16;  // far above the largest feature descriptors
 
 constexpr std::string_view kKeywords[] = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
@@ -34,9 +33,9 @@ struct Entry {
   std::uint64_t line = 0;
 };
 
-class HeaderParser {
+class PcdHeaderParser {
  public:
-  explicit HeaderParser(const FileBytes& file) : file_(file), text_(without_bom(file.bytes)), lines_(text_) {}
+  explicit PcdHeaderParser(const FileBytes& file) : file_(file), text_(without_bom(file.bytes)), lines_(text_) {}
 
   PcdHeader parse() {
     read_entries();
@@ -174,6 +173,6 @@ class HeaderParser {
 
 }  // namespace
 
-PcdHeader parse_pcd_header(const FileBytes& file) { return HeaderParser(file).parse(); }
+PcdHeader parse_pcd_header(const FileBytes& file) { return PcdHeaderParser(file).parse(); }
 
 }  // namespace augicp

@@ -13,8 +13,6 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kMaxHeaderLine = 65'536;
-
 constexpr std::pair<std::string_view, ScalarType> kTypeNames[] = {
     {"char", ScalarType::Int8},      {"int8", ScalarType::Int8},       {"uchar", ScalarType::Uint8},
     {"uint8", ScalarType::Uint8},    {"short", ScalarType::Int16},     {"int16", ScalarType::Int16},
@@ -28,9 +26,9 @@ constexpr std::pair<std::string_view, PlyEncoding> kEncodingNames[] = {
     {"binary_little_endian", PlyEncoding::BinaryLittleEndian},
     {"binary_big_endian", PlyEncoding::BinaryBigEndian}};
 
-class HeaderParser {
+class PlyHeaderParser {
  public:
-  explicit HeaderParser(const FileBytes& file) : file_(file), text_(without_bom(file.bytes)), lines_(text_) {}
+  explicit PlyHeaderParser(const FileBytes& file) : file_(file), text_(without_bom(file.bytes)), lines_(text_) {}
 
   PlyHeader parse() {
     if (trimmed(next_line()) != "ply") fail("expected 'ply', the mark of a PLY file");
@@ -150,6 +148,6 @@ std::uint64_t PlyElement::stride() const {
   return bytes;
 }
 
-PlyHeader parse_ply_header(const FileBytes& file) { return HeaderParser(file).parse(); }
+PlyHeader parse_ply_header(const FileBytes& file) { return PlyHeaderParser(file).parse(); }
 
 }  // namespace augicp

@@ -17,7 +17,7 @@ using ::testing::IsEmpty;
 
 TrajectoryFile parse(const std::string& text) { return parse_poses(FileBytes{"a.csv", text}).content; }
 
-std::string refusal(const std::string& text) {
+std::string table_refusal(const std::string& text) {
   try {
     parse(text);
   } catch (const IoError& error) {
@@ -65,11 +65,11 @@ TEST(PoseTable, JsonLinesHaveTheSameNames) {
       "\"orientation\": {\"x\": 0, \"y\": 0, \"z\": 0, \"w\": 1}}}\n"
       "{\"stamp_ns\": 1403636579768555584, \"pose\": {\"position\": {\"x\": 1, \"y\": 2, \"z\": 3}, "
       "\"orientation\": {\"x\": 0.6, \"y\": 0, \"z\": 0, \"w\": 0.8}}}\n");
-  EXPECT_THAT(refusal("{\"t\": 1, \"position\": [0, 0, 0], \"orientation\": [1, 0, 0, 0]}\n"),
+  EXPECT_THAT(table_refusal("{\"t\": 1, \"position\": [0, 0, 0], \"orientation\": [1, 0, 0, 0]}\n"),
               HasSubstr("line 1: expected a stamp, a position and a quaternion by name"))
       << "the order of the quaternion is not stated";
-  EXPECT_THAT(refusal("{\"t\": 1\n"), HasSubstr("line 1: expected a JSON object"));
-  EXPECT_THAT(refusal(std::string("{\"t\": ") + std::string(10000, '[') + "\n"), HasSubstr("line 1"));
+  EXPECT_THAT(table_refusal("{\"t\": 1\n"), HasSubstr("line 1: expected a JSON object"));
+  EXPECT_THAT(table_refusal(std::string("{\"t\": ") + std::string(10000, '[') + "\n"), HasSubstr("line 1"));
 }
 
 // A name that states the unit counts more than the magnitude, and only a guess is said.
@@ -85,7 +85,7 @@ TEST(PoseTable, UnitsAreStatedOrSaid) {
   EXPECT_NEAR(stamps("t", "1403636579763").trajectory[0].stamp_s, 1403636579.763, 1e-6);
   EXPECT_THAT(stamps("t", "1403636579763").warnings, ElementsAre("the stamps are read as milliseconds"));
   EXPECT_THAT(stamps("t", "1403636579763555").warnings, ElementsAre("the stamps are read as microseconds"));
-  EXPECT_THAT(refusal("time_s," + header + "\n1403636579763" + pose),
+  EXPECT_THAT(table_refusal("time_s," + header + "\n1403636579763" + pose),
               HasSubstr("line 2: expected a timestamp in seconds"));
 }
 
@@ -104,12 +104,12 @@ TEST(PoseTable, SecondsAndNanosecondsInTwoColumnsAreOneStamp) {
 
 TEST(PoseTable, DamageNamesItsLine) {
   const std::string header = "t,x,y,z,qx,qy,qz,qw\n";
-  EXPECT_THAT(refusal(header + "1,0,0,0,0,0,0,1\n2,0,0,0,0,0,1\n"), HasSubstr("line 3: expected 8 values"));
-  EXPECT_THAT(refusal(header + "1,0,0,0,0,0,0,2\n"), HasSubstr("line 2: "));
-  EXPECT_THAT(refusal(header + "2,0,0,0,0,0,0,1\n1,0,0,0,0,0,0,1\n"), HasSubstr("line 3: expected timestamps"));
-  EXPECT_THAT(refusal(header + "2,0,nan,0,0,0,0,1\n"), HasSubstr("finite"));
-  EXPECT_THAT(refusal(header), HasSubstr("found none"));
-  EXPECT_THAT(refusal("stamp.nanosec,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n"), HasSubstr("stamp.nanosec"))
+  EXPECT_THAT(table_refusal(header + "1,0,0,0,0,0,0,1\n2,0,0,0,0,0,1\n"), HasSubstr("line 3: expected 8 values"));
+  EXPECT_THAT(table_refusal(header + "1,0,0,0,0,0,0,2\n"), HasSubstr("line 2: "));
+  EXPECT_THAT(table_refusal(header + "2,0,0,0,0,0,0,1\n1,0,0,0,0,0,0,1\n"), HasSubstr("line 3: expected timestamps"));
+  EXPECT_THAT(table_refusal(header + "2,0,nan,0,0,0,0,1\n"), HasSubstr("finite"));
+  EXPECT_THAT(table_refusal(header), HasSubstr("found none"));
+  EXPECT_THAT(table_refusal("stamp.nanosec,x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,0,1\n"), HasSubstr("stamp.nanosec"))
       << "a part of a second";
   EXPECT_THAT(parse(header + "1,0,0,0,0,0,0,1\n1,5,0,0,0,0,0,1\n").warnings, ElementsAre(HasSubstr("repeat")));
   EXPECT_THAT(parse(header + "1,0,0,0,0,0,0,1").warnings, ElementsAre(HasSubstr("no end")));

@@ -14,9 +14,9 @@ using testing::packed;
 using testing::parse;
 using Points = std::vector<Vec3f>;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNanFloat = std::numeric_limits<float>::quiet_NaN();
 
-std::string sweep() { return packed<float>({1, -2, 3, 0.5f, kNan, 0, 0, 0, 4, 5, -6, 0}); }
+std::string sweep() { return packed<float>({1, -2, 3, 0.5f, kNanFloat, 0, 0, 0, 4, 5, -6, 0}); }
 
 TEST(ReadKitti, PointsAreSeenFromZero) {
   const CloudFile file = parse("a.bin", sweep());
@@ -87,7 +87,7 @@ TEST(ReadKitti, NegativeIntensitiesGiveOtherLayoutsAway) {
 // robustness 2, 4
 TEST(ReadKitti, EmptyFullAndNotFiniteFilesAreErrors) {
   expect_refused("a.bin", "", "holds no points");
-  expect_refused("a.bin", packed<float>({kNan, 0, 0, 0}), "none of its 1 points is finite");
+  expect_refused("a.bin", packed<float>({kNanFloat, 0, 0, 0}), "none of its 1 points is finite");
   EXPECT_NE(testing::refusal("a.bin", sweep(), {.max_points = 2}), "");
 }
 

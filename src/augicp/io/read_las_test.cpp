@@ -24,7 +24,7 @@ using ::testing::IsEmpty;
 using testing::parse;
 using testing::refusal;
 
-const ReadOptions kKeep{.keep_fields = true};
+const ReadOptions kKeepLasFields{.keep_fields = true};
 constexpr std::size_t kExtra = 3;  // bytes a record that nothing describes
 
 // Three points of a version and a point format, every byte of each record another; one variable length record.
@@ -87,7 +87,7 @@ TEST(ReadLas, CutsAreRefused) {
 TEST(ReadLas, WriteThenReadIsIdentity) {
   const testing::TemporaryFolder folder;
   for_each_kind([&](const std::string& bytes, int point_format) {
-    const CloudFile file = parse("a.las", bytes + "tail", kKeep);
+    const CloudFile file = parse("a.las", bytes + "tail", kKeepLasFields);
     const std::vector<std::string> notes = write_cloud(folder / "b.las", file);
     EXPECT_EQ(notes.size(), las::has_waveform(point_format) ? 1u : 0u);
     std::string found = read_bytes(folder / "b.las").bytes, expected = bytes + "tail";
@@ -99,12 +99,12 @@ TEST(ReadLas, WriteThenReadIsIdentity) {
 
 TEST(ReadLas, AMovedFileHasMovedPointsAndAllElse) {
   const testing::TemporaryFolder folder;
-  CloudFile file = parse("a.las", las_file(2, 3), kKeep);
+  CloudFile file = parse("a.las", las_file(2, 3), kKeepLasFields);
   for (const Vec3d& shift : {Vec3d(10, -20, 3), Vec3d(1e8, 0, 0)}) {  // the second needs another offset
     CloudFile moved = file;
     moved.cloud.origin += shift;
     write_cloud(folder / "b.las", moved);
-    const CloudFile found = read_cloud(folder / "b.las", kKeep);
+    const CloudFile found = read_cloud(folder / "b.las", kKeepLasFields);
     for (std::size_t i = 0; i < 3; ++i)
       EXPECT_THAT(testing::places(found.cloud)[i], testing::NearVector(testing::places(file.cloud)[i] + shift, 0.006));
     const PointFields before = fields_of(*file.las), after = fields_of(*found.las);
@@ -120,7 +120,7 @@ TEST(ReadLas, BitsAreUnpacked) {
   const std::size_t first = bytes.size() - 3 * (20 + kExtra);
   bytes[first + 14] = char(0b01'110'101);
   bytes[first + 15] = char(0b101'00110);
-  PointFields fields = fields_of(*parse("a.las", bytes, kKeep).las);
+  PointFields fields = fields_of(*parse("a.las", bytes, kKeepLasFields).las);
   const auto value = [&](const char* name) { return fields.find(name)->at(0); };
   EXPECT_EQ(value("return_number"), 5.0);
   EXPECT_EQ(value("number_of_returns"), 6.0);
@@ -136,7 +136,7 @@ TEST(ReadLas, BitsAreUnpacked) {
   const std::size_t extended = bytes.size() - 3 * (30 + kExtra);
   bytes[extended + 14] = char(0b1011'1010);
   bytes[extended + 15] = char(0b01'10'1001);
-  fields = fields_of(*parse("a.las", bytes, kKeep).las);
+  fields = fields_of(*parse("a.las", bytes, kKeepLasFields).las);
   EXPECT_EQ(value("return_number"), 10.0);
   EXPECT_EQ(value("number_of_returns"), 11.0);
   EXPECT_EQ(value("synthetic"), 1.0);
@@ -186,9 +186,9 @@ TEST(WriteLas, AnyCloudBecomesLas) {
                                "x,y,z,nx,ny,nz,red,green,blue,intensity,classification,ring,stamp\n"
                                "1e6,0,0,0,0,1,255,0,1,300,5,70000,0.125\n1e6,100,0,0,0,1,2,3,4,1,6,1,0."
                                "5\n",
-                               kKeep);
+                               kKeepLasFields);
   EXPECT_THAT(write_cloud(folder / "a.las", file), IsEmpty());
-  const CloudFile found = read_cloud(folder / "a.las", kKeep);
+  const CloudFile found = read_cloud(folder / "a.las", kKeepLasFields);
   EXPECT_EQ(found.report.format, "las 1.4 point format 7");
   EXPECT_THAT(testing::places(found.cloud)[1], testing::NearVector(Vec3d(1e6, 100, 0), 1e-6));
   const PointFields fields = fields_of(*found.las);
@@ -203,9 +203,9 @@ TEST(WriteLas, AnyCloudBecomesLas) {
 
 TEST(ReadLas, FieldsReachOtherFormats) {
   const testing::TemporaryFolder folder;
-  const std::vector<std::string> notes = write_cloud(folder / "a.ply", parse("a.las", las_file(3, 5), kKeep));
+  const std::vector<std::string> notes = write_cloud(folder / "a.ply", parse("a.las", las_file(3, 5), kKeepLasFields));
   EXPECT_THAT(notes, ElementsAre(HasSubstr("variable length"), HasSubstr("waveforms")));
-  const PointFields fields = read_cloud(folder / "a.ply", kKeep).fields;
+  const PointFields fields = read_cloud(folder / "a.ply", kKeepLasFields).fields;
   EXPECT_EQ(fields.find("intensity")->at(2), 14.0);
   EXPECT_EQ(fields.find("gps_time")->type, ScalarType::Float64);
   EXPECT_EQ(fields.find("red")->type, ScalarType::Uint16);
@@ -220,7 +220,7 @@ TEST(ReadLas, PublicFilesSurviveByteByByte) {
       {"extrabytes.las", 1065}, {"simple1_4.las", 0}, {"vegetation_1_3.las", 0}};
   for (const auto& [name, num_points] : files) {
     SCOPED_TRACE(name);
-    const CloudFile file = read_cloud(shared / name, kKeep);
+    const CloudFile file = read_cloud(shared / name, kKeepLasFields);
     if (num_points > 0) {
       EXPECT_EQ(file.cloud.size(), num_points);
     }

@@ -19,7 +19,7 @@ using testing::with;
 using testing::with_all;
 using Points = std::vector<Vec3f>;
 
-constexpr const char* kText =
+constexpr const char* kPcdText =
     "# .PCD v0.7 - Point Cloud Data file format\n"
     "VERSION 0.7\n"
     "FIELDS x y z _ hue\n"
@@ -35,16 +35,17 @@ constexpr const char* kText =
     "nan nan nan 0 0 0 -7 8\n"
     "4 5 6 0 0 0 -7 8\n"
     "7 8 9.25 0 0 0 -7 8\n";
-const Points kPoints{{1, 2, 3}, {4, 5, 6}, {7, 8, 9.25}};
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const Points kPcdPoints{{1, 2, 3}, {4, 5, 6}, {7, 8, 9.25}};
+constexpr float kNanField = std::numeric_limits<float>::quiet_NaN();
 
 std::string header(std::string_view encoding) {
-  return with(std::string(kText).substr(0, std::string_view(kText).find("1 2 3 0")), "ascii", encoding);
+  return with(std::string(kPcdText).substr(0, std::string_view(kPcdText).find("1 2 3 0")), "ascii", encoding);
 }
 
-std::string binary_file() {
+std::string binary_pcd() {
   std::string bytes = header("binary");
-  for (const auto& point : std::vector<std::vector<float>>{{1, 2, 3}, {kNan, kNan, kNan}, {4, 5, 6}, {7, 8, 9.25}})
+  for (const auto& point :
+       std::vector<std::vector<float>>{{1, 2, 3}, {kNanField, kNanField, kNanField}, {4, 5, 6}, {7, 8, 9.25}})
     bytes += packed(point) + std::string(3, '\0') + packed<std::int16_t>({-7, 8});
   return bytes;
 }
@@ -60,16 +61,17 @@ std::string compressed(const std::string& bytes) {
 
 // Field after field, without the padding.
 std::string compressed_file() {
-  return header("binary_compressed") + compressed(packed<float>({1, kNan, 4, 7, 2, kNan, 5, 8, 3, kNan, 6, 9.25}) +
-                                                  packed<std::int16_t>({-7, 8, -7, 8, -7, 8, -7, 8}));
+  return header("binary_compressed") +
+         compressed(packed<float>({1, kNanField, 4, 7, 2, kNanField, 5, 8, 3, kNanField, 6, 9.25}) +
+                    packed<std::int16_t>({-7, 8, -7, 8, -7, 8, -7, 8}));
 }
 
-std::vector<std::string> all_files() { return {kText, binary_file(), compressed_file()}; }
+std::vector<std::string> all_files() { return {kPcdText, binary_pcd(), compressed_file()}; }
 
 TEST(ReadPcd, EveryEncodingGivesTheSame) {
   for (const std::string& bytes : all_files()) {
     const CloudFile file = parse("a.pcd", bytes);
-    EXPECT_EQ(file.cloud.points, kPoints);
+    EXPECT_EQ(file.cloud.points, kPcdPoints);
     EXPECT_FALSE(file.cloud.viewpoint);
     EXPECT_EQ(file.report.num_declared, 4u);
     EXPECT_EQ(file.report.num_not_finite, 1u);
@@ -96,27 +98,27 @@ TEST(ReadPcd, EveryCutIsSeen) {
 
 // robustness 5
 TEST(ReadPcd, LineEndsMarksAndSeparatorsDoNotMatter) {
-  const std::string text = kText;
+  const std::string text = kPcdText;
   const std::string comment = std::string("# ").append(1 << 20, 'c').append("\n");
   const std::size_t body = text.find("1 2 3 0");
   for (const std::string& bytes :
        {with_all(text, "\n", "\r\n"), with_all(text, "\n", "\r"), with_all(text, " ", "\t"),
         text.substr(0, body) + with_all(text.substr(body), " ", ","), std::string("\xef\xbb\xbf").append(text),
-        comment + text, with(binary_file(), "DATA binary\n", "DATA binary\r\n")})
-    EXPECT_EQ(parse("a.pcd", bytes).cloud.points, kPoints) << bytes.substr(0, 200);
+        comment + text, with(binary_pcd(), "DATA binary\n", "DATA binary\r\n")})
+    EXPECT_EQ(parse("a.pcd", bytes).cloud.points, kPcdPoints) << bytes.substr(0, 200);
 }
 
 TEST(ReadPcd, OlderVersionsLeaveLinesOut) {
-  std::string text = with(kText, "VIEWPOINT 0 0 0 1 0 0 0\n", "");
+  std::string text = with(kPcdText, "VIEWPOINT 0 0 0 1 0 0 0\n", "");
   for (const char* version : {"0.5", ".5", "0.6", ".6", ".7"})
-    EXPECT_EQ(parse("a.pcd", with(text, "VERSION 0.7", std::string("VERSION ") + version)).cloud.points, kPoints);
+    EXPECT_EQ(parse("a.pcd", with(text, "VERSION 0.7", std::string("VERSION ") + version)).cloud.points, kPcdPoints);
   text = with(with(text, "WIDTH 2\n", ""), "HEIGHT 2\n", "");
-  EXPECT_EQ(parse("a.pcd", with(text, "FIELDS", "COLUMNS")).cloud.points, kPoints);
+  EXPECT_EQ(parse("a.pcd", with(text, "FIELDS", "COLUMNS")).cloud.points, kPcdPoints);
 }
 
 TEST(ReadPcd, AViewpointOtherThanTheDefaultIsKept) {
   const auto viewpoint_of = [](const char* pose) {
-    return parse("a.pcd", with(kText, "0 0 0 1 0 0 0", pose)).cloud.viewpoint;
+    return parse("a.pcd", with(kPcdText, "0 0 0 1 0 0 0", pose)).cloud.viewpoint;
   };
   EXPECT_FALSE(viewpoint_of("0.0 0 0 1.0 0 0 -0"));
   EXPECT_EQ(viewpoint_of("0 0 0 0 1 0 0"), Vec3f(0, 0, 0));
@@ -158,7 +160,7 @@ TEST(ReadPcd, CountsThatCannotBeAreErrors) {
       const std::string unorganised = with(with(bytes, "HEIGHT 2", "HEIGHT 1"), "WIDTH 2", "WIDTH " + number);
       if (number != "3") expect_refused("a.pcd", with(unorganised, "POINTS 4", "POINTS " + number), "a.pcd: ");
     }
-  EXPECT_EQ(testing::refusal("a.pcd", kText, {.max_points = 3}), "a.pcd: expected at most 3 points, found 4");
+  EXPECT_EQ(testing::refusal("a.pcd", kPcdText, {.max_points = 3}), "a.pcd: expected at most 3 points, found 4");
 }
 
 // robustness 2
@@ -177,7 +179,7 @@ TEST(ReadPcd, CompressedLengthsThatCannotBeAreErrors) {
 
 // robustness 3
 TEST(ReadPcd, FewerDeclaredThanPresentIsAWarning) {
-  for (const std::string& bytes : {std::string(kText), binary_file()}) {
+  for (const std::string& bytes : {std::string(kPcdText), binary_pcd()}) {
     const CloudFile file = parse("a.pcd", with(with(bytes, "HEIGHT 2", "HEIGHT 1"), "POINTS 4", "POINTS 2"));
     EXPECT_EQ(file.report.num_declared, 2u);
     EXPECT_EQ(file.report.warnings.size(), 1u);
@@ -185,7 +187,7 @@ TEST(ReadPcd, FewerDeclaredThanPresentIsAWarning) {
 }
 
 TEST(ReadPcd, BytesBehindTheDeclaredAreAWarning) {
-  for (const std::string& bytes : {binary_file(), compressed_file()})
+  for (const std::string& bytes : {binary_pcd(), compressed_file()})
     EXPECT_THAT(parse("a.pcd", bytes + "abc").report.warnings,
                 ::testing::ElementsAre("3 bytes after the declared points were not read"));
   EXPECT_THAT(parse("a.pcd", compressed_file() + std::string(4000, '\0')).report.warnings, ::testing::IsEmpty());
@@ -196,25 +198,27 @@ TEST(ReadPcd, HeadersThatMakeNoSenseAreErrors) {
   const std::pair<std::string, const char*> cases[] = {
       {"", "expected 'DATA', the file ends before it"},
       {"1 2 3\n", "line 1: expected a keyword of a PCD header, found '1 2 3'"},
-      {with(kText, "VERSION 0.7", "VERSION 0.8"), "line 2: expected version 0.5, 0.6 or 0.7"},
-      {with(kText, "FIELDS x", "FIELDS w"), "expected a column 'x', found none"},
-      {with(kText, "FIELDS x y z", "FIELDS x y y"), "expected one column 'y', found a second"},
-      {with(kText, "FIELDS", "VERSION"), "line 3: expected VERSION once"},
-      {with(kText, "FIELDS x", "FIELDS"), "expected 4 values, one a field, found 5"},
-      {with(kText, "SIZE 4", "SIZE 3"),
+      {with(kPcdText, "VERSION 0.7", "VERSION 0.8"), "line 2: expected version 0.5, 0.6 or 0.7"},
+      {with(kPcdText, "FIELDS x", "FIELDS w"), "expected a column 'x', found none"},
+      {with(kPcdText, "FIELDS x y z", "FIELDS x y y"), "expected one column 'y', found a second"},
+      {with(kPcdText, "FIELDS", "VERSION"), "line 3: expected VERSION once"},
+      {with(kPcdText, "FIELDS x", "FIELDS"), "expected 4 values, one a field, found 5"},
+      {with(kPcdText, "SIZE 4", "SIZE 3"),
        "line 4: expected type I or U of size 1, 2, 4 or 8, or F of 4 or 8; found 'F' of 3"},
-      {with(kText, "TYPE F", "TYPE Q"), "found 'Q' of 4"},
-      {with(kText, "SIZE 4", "SIZE 2"), "found 'F' of 2"},
-      {with(kText, "COUNT 1 1 1 3", "COUNT 0 1 1 3"), "line 6: expected a count from 1 to 65536, found 0"},
-      {with(kText, "COUNT 1 1 1 3", "COUNT 1 1 1 4294967296"), "found 4294967296"},
-      {with(kText, "COUNT 1", "COUNT 2"), "expected COUNT 1 of field 'x', found 2"},
-      {with(kText, "VIEWPOINT 0", "VIEWPOINT"), "line 9: expected VIEWPOINT tx ty tz qw qx qy qz"},
-      {with(kText, "VIEWPOINT 0", "VIEWPOINT nan"), "line 9: expected a finite number, found 'nan'"},
-      {with(kText, "DATA ascii", "DATA text"), "line 11: expected 'DATA ascii|binary|binary_compressed', found 'text'"},
-      {with(kText, "SIZE 4 4 4 1 2\n", ""), "expected SIZE before DATA"},
-      {with(kText, "FIELDS", std::string("FIELDS ").append(1 << 16, 'x')), "line 3: expected a line of at most 64 KB"},
-      {with(kText, "4 5 6", "4 5,5 6"), "line 14: expected a number, found '5,5'"},
-      {with(kText, "4 5 6 0", "4 5 6"), "line 14: expected 8 values, found 7"}};
+      {with(kPcdText, "TYPE F", "TYPE Q"), "found 'Q' of 4"},
+      {with(kPcdText, "SIZE 4", "SIZE 2"), "found 'F' of 2"},
+      {with(kPcdText, "COUNT 1 1 1 3", "COUNT 0 1 1 3"), "line 6: expected a count from 1 to 65536, found 0"},
+      {with(kPcdText, "COUNT 1 1 1 3", "COUNT 1 1 1 4294967296"), "found 4294967296"},
+      {with(kPcdText, "COUNT 1", "COUNT 2"), "expected COUNT 1 of field 'x', found 2"},
+      {with(kPcdText, "VIEWPOINT 0", "VIEWPOINT"), "line 9: expected VIEWPOINT tx ty tz qw qx qy qz"},
+      {with(kPcdText, "VIEWPOINT 0", "VIEWPOINT nan"), "line 9: expected a finite number, found 'nan'"},
+      {with(kPcdText, "DATA ascii", "DATA text"),
+       "line 11: expected 'DATA ascii|binary|binary_compressed', found 'text'"},
+      {with(kPcdText, "SIZE 4 4 4 1 2\n", ""), "expected SIZE before DATA"},
+      {with(kPcdText, "FIELDS", std::string("FIELDS ").append(1 << 16, 'x')),
+       "line 3: expected a line of at most 64 KB"},
+      {with(kPcdText, "4 5 6", "4 5,5 6"), "line 14: expected a number, found '5,5'"},
+      {with(kPcdText, "4 5 6 0", "4 5 6"), "line 14: expected 8 values, found 7"}};
   for (const auto& [bytes, message] : cases) expect_refused("a.pcd", bytes, message);
 }
 

@@ -17,7 +17,7 @@ using testing::with;
 using testing::with_all;
 using Points = std::vector<Vec3f>;
 
-constexpr const char* kText =
+constexpr const char* kPlyText =
     "ply\n"
     "format ascii 1.0\n"
     "comment made by hand\n"
@@ -32,18 +32,18 @@ constexpr const char* kText =
     "4 5 6\n"
     "7 8 9.25\n"
     "3 0 1 2\n";
-const Points kPoints{{1, 2, 3}, {4, 5, 6}, {7, 8, 9.25}};
+const Points kPlyPoints{{1, 2, 3}, {4, 5, 6}, {7, 8, 9.25}};
 
-std::string binary_file() {
-  const std::string header = std::string(kText).substr(0, std::string_view(kText).find("1 2 3"));
+std::string binary_ply() {
+  const std::string header = std::string(kPlyText).substr(0, std::string_view(kPlyText).find("1 2 3"));
   return with(header, "ascii", "binary_little_endian") + packed<float>({1, 2, 3, 4, 5, 6, 7, 8, 9.25}) +
          std::string("\3") + packed<std::int32_t>({0, 1, 2});
 }
 
 TEST(ReadPly, TextAndBinaryGiveTheSame) {
-  for (const std::string& bytes : {std::string(kText), binary_file()}) {
+  for (const std::string& bytes : {std::string(kPlyText), binary_ply()}) {
     const CloudFile file = parse("a.ply", bytes);
-    EXPECT_EQ(file.cloud.points, kPoints);
+    EXPECT_EQ(file.cloud.points, kPlyPoints);
     EXPECT_EQ(file.report.num_declared, 3u);
     EXPECT_FALSE(file.report.has_normals);
     EXPECT_FALSE(file.grid);
@@ -53,20 +53,20 @@ TEST(ReadPly, TextAndBinaryGiveTheSame) {
 
 // robustness 1
 TEST(ReadPly, EveryCutIsSeen) {
-  testing::expect_cuts_are_seen("a.ply", kText);
-  testing::expect_cuts_are_seen("a.ply", binary_file());
+  testing::expect_cuts_are_seen("a.ply", kPlyText);
+  testing::expect_cuts_are_seen("a.ply", binary_ply());
 }
 
 // robustness 5
 TEST(ReadPly, LineEndsBlanksMarksAndCommentsDoNotMatter) {
-  const std::string text = kText;
+  const std::string text = kPlyText;
   const std::string comment = std::string("comment ").append(1 << 20, 'c').append("\n");
   for (const std::string& bytes :
        {with_all(text, "\n", "\r\n"), with_all(text, "\n", "\r"), with_all(text, "\n", "  \n"),
         with_all(text, " ", "\t"), std::string("\xef\xbb\xbf").append(text),
         with(text, "element", std::string(comment).append("element")),
-        with(text, "end_header", "obj_info x\nend_header"), with(binary_file(), "end_header\n", "end_header\r\n")})
-    EXPECT_EQ(parse("a.ply", bytes).cloud.points, kPoints);
+        with(text, "end_header", "obj_info x\nend_header"), with(binary_ply(), "end_header\n", "end_header\r\n")})
+    EXPECT_EQ(parse("a.ply", bytes).cloud.points, kPlyPoints);
   expect_refused("a.ply", with(text, "float x", std::string("float ").append(1 << 16, 'x')),
                  "line 5: expected a line of at most 64 KB");
 }
@@ -140,7 +140,7 @@ TEST(ReadPly, IntensitiesAreRead) {
 
 // robustness 2
 TEST(ReadPly, CountsThatCannotBeAreErrors) {
-  for (const std::string& bytes : {std::string(kText), binary_file()})
+  for (const std::string& bytes : {std::string(kPlyText), binary_ply()})
     for (const char* count :
          {"0", "-1", "2147483647", "4294967296", "9223372036854775808", "1000000000", "nan", "30", "3.0", ""})
       for (const char* element : {"vertex 3", "face 1"}) {
@@ -148,22 +148,22 @@ TEST(ReadPly, CountsThatCannotBeAreErrors) {
         if (name == "face " && std::string_view(count) == "0") continue;  // that is allowed
         expect_refused("a.ply", with(bytes, element, name + count), "a.ply: ");
       }
-  EXPECT_EQ(testing::refusal("a.ply", kText, {.max_points = 2}), "a.ply: expected at most 2 points, found 3");
+  EXPECT_EQ(testing::refusal("a.ply", kPlyText, {.max_points = 2}), "a.ply: expected at most 2 points, found 3");
 }
 
 // robustness 3
 TEST(ReadPly, FewerDeclaredThanPresentIsAWarning) {
-  const CloudFile text = parse("a.ply", with(kText, "face 1", "face 0"));
+  const CloudFile text = parse("a.ply", with(kPlyText, "face 1", "face 0"));
   EXPECT_THAT(text.report.warnings, ::testing::ElementsAre("lines after the declared elements were not read"));
-  const CloudFile binary = parse("a.ply", binary_file() + "12345");
+  const CloudFile binary = parse("a.ply", binary_ply() + "12345");
   EXPECT_THAT(binary.report.warnings, ::testing::ElementsAre("5 bytes after the declared elements were not read"));
-  EXPECT_EQ(text.cloud.points, kPoints);
-  EXPECT_EQ(binary.cloud.points, kPoints);
+  EXPECT_EQ(text.cloud.points, kPlyPoints);
+  EXPECT_EQ(binary.cloud.points, kPlyPoints);
 }
 
 // robustness 3
 TEST(ReadPly, HeadersThatMakeNoSenseAreErrors) {
-  const std::string text = kText;
+  const std::string text = kPlyText;
   const std::pair<std::string, const char*> cases[] = {
       {with(text, "ply", "plx"), "line 1: expected 'ply', the mark of a PLY file, found 'plx'"},
       {with(text, "ascii", "asci"), "line 2: expected 'format ascii"},
@@ -186,7 +186,7 @@ TEST(ReadPly, HeadersThatMakeNoSenseAreErrors) {
        "none of its 3 points is finite"}};
   for (const auto& [bytes, message] : cases) expect_refused("a.ply", bytes, message);
   expect_refused("a.ply",
-                 with(with(binary_file(), "list uchar", "list char"), std::string("\3\0\0\0\0\1", 6),
+                 with(with(binary_ply(), "list uchar", "list char"), std::string("\3\0\0\0\0\1", 6),
                       std::string("\xff\0\0\0\0\1", 6)),
                  "expected a list length, found -1");
 }

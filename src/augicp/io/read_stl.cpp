@@ -12,21 +12,21 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kHeader = 84, kFace = 50, kNormal = 12;  // bytes
+constexpr std::size_t kStlHeader = 84, kFace = 50, kNormal = 12;  // bytes
 
 std::uint64_t stated_count(const FileBytes& file) {
   return static_cast<std::uint64_t>(
-      read_scalar(file.bytes.data() + kHeader - 4, ScalarType::Uint32, ByteOrder::Little));
+      read_scalar(file.bytes.data() + kStlHeader - 4, ScalarType::Uint32, ByteOrder::Little));
 }
 
 // Many binary files begin with "solid" too: the size decides.
 bool is_binary(const FileBytes& file) {
-  return file.bytes.size() >= kHeader && file.bytes.size() == kHeader + kFace * stated_count(file);
+  return file.bytes.size() >= kStlHeader && file.bytes.size() == kStlHeader + kFace * stated_count(file);
 }
 
 Triangle binary_face(const FileBytes& file, std::size_t i) {
   Triangle face;
-  const char* at = file.bytes.data() + kHeader + kFace * i + kNormal;
+  const char* at = file.bytes.data() + kStlHeader + kFace * i + kNormal;
   for (Vec3d& corner : face)
     for (int axis = 0; axis < 3; ++axis, at += 4)
       corner[axis] = read_scalar(at, ScalarType::Float32, ByteOrder::Little);
@@ -74,11 +74,11 @@ CloudFile parse_stl(const FileBytes& file, const ReadOptions& options) {
     return sampled_cloud(file, {"stl binary", stated_count(file), [&](std::size_t i) { return binary_face(file, i); }},
                          options);
   if (!file.bytes.starts_with("solid")) {
-    const bool has_header = file.bytes.size() >= kHeader;
-    throw io_error(file.path,
-                   has_header ? fmt::format("expected {} bytes of {} faces, found {}",
-                                            kHeader + kFace * stated_count(file), stated_count(file), file.bytes.size())
-                              : "expected a header of 84 bytes, or 'solid'");
+    const bool has_header = file.bytes.size() >= kStlHeader;
+    throw io_error(file.path, has_header ? fmt::format("expected {} bytes of {} faces, found {}",
+                                                       kStlHeader + kFace * stated_count(file), stated_count(file),
+                                                       file.bytes.size())
+                                         : "expected a header of 84 bytes, or 'solid'");
   }
   check_is_text(file);
   const std::vector<Vec3f> corners = ascii_corners(file);

@@ -13,19 +13,19 @@ using testing::with;
 using testing::with_all;
 using Points = std::vector<Vec3f>;
 
-constexpr const char* kText = "1 2 3\n4 5 6\n7 8 9.25\n";
-const Points kPoints{{1, 2, 3}, {4, 5, 6}, {7, 8, 9.25}};
+constexpr const char* kXyzText = "1 2 3\n4 5 6\n7 8 9.25\n";
+const Points kXyzPoints{{1, 2, 3}, {4, 5, 6}, {7, 8, 9.25}};
 
 // robustness 5
 TEST(ReadXyz, SeparatorsLineEndsAndCommentsDoNotMatter) {
-  const std::string text = kText;
+  const std::string text = kXyzText;
   const std::string comment = std::string("# ").append(1 << 20, 'c').append("\n");
   for (const std::string& bytes :
        {text, with_all(text, " ", "\t"), with_all(text, " ", ","), with_all(text, " ", " , "), with_all(text, " ", ";"),
         with_all(text, "\n", "\r\n"), with_all(text, "\n", "\r"), with_all(text, "\n", " 17 red\n\n"), comment + text,
         with(text, "4", "  # four\n4"), std::string("\xef\xbb\xbf").append(text)}) {
     const CloudFile file = parse("a.xyz", bytes);
-    EXPECT_EQ(file.cloud.points, kPoints) << bytes.substr(0, 100);
+    EXPECT_EQ(file.cloud.points, kXyzPoints) << bytes.substr(0, 100);
     EXPECT_THAT(file.report.warnings, ::testing::IsEmpty());
     EXPECT_EQ(file.report.num_declared, 3u);
   }
@@ -33,40 +33,40 @@ TEST(ReadXyz, SeparatorsLineEndsAndCommentsDoNotMatter) {
 
 TEST(ReadXyz, AHeaderNamesTheColumns) {
   const CloudFile file = parse("a.csv", "Intensity,Z,Y,X,nx,ny,nz\n9,3,2,1,0,0,2\n9,6,5,4,0,0,0\n9,9.25,8,7,1,0,0\n");
-  EXPECT_EQ(file.cloud.points, kPoints);
+  EXPECT_EQ(file.cloud.points, kXyzPoints);
   EXPECT_EQ(file.cloud.directions, (Points{{0, 0, 1}, {0, 0, 0}, {1, 0, 0}}));
-  EXPECT_EQ(parse("a.txt", std::string("//X Y Z\n") + kText).cloud.points, kPoints);
-  EXPECT_EQ(parse("a.csv", std::string("x , y , z\n") + with_all(kText, " ", " , ")).cloud.points, kPoints);
+  EXPECT_EQ(parse("a.txt", std::string("//X Y Z\n") + kXyzText).cloud.points, kXyzPoints);
+  EXPECT_EQ(parse("a.csv", std::string("x , y , z\n") + with_all(kXyzText, " ", " , ")).cloud.points, kXyzPoints);
 }
 
 TEST(ReadXyz, ACommentMayNameTheColumns) {
-  EXPECT_EQ(parse("a.txt", "# r g b x y z\n9 9 9 1 2 3\n0 0 0 4 5 6\n7 7 7 7 8 9.25\n").cloud.points, kPoints);
-  EXPECT_EQ(parse("a.txt", "# a survey\n#Z;Y;X\n3;2;1\n6;5;4\n9.25;8;7\n").cloud.points, kPoints);
-  EXPECT_EQ(parse("a.csv", "\"z\",\"y\",\"x\"\n3,2,1\n6,5,4\n9.25,8,7\n").cloud.points, kPoints);
+  EXPECT_EQ(parse("a.txt", "# r g b x y z\n9 9 9 1 2 3\n0 0 0 4 5 6\n7 7 7 7 8 9.25\n").cloud.points, kXyzPoints);
+  EXPECT_EQ(parse("a.txt", "# a survey\n#Z;Y;X\n3;2;1\n6;5;4\n9.25;8;7\n").cloud.points, kXyzPoints);
+  EXPECT_EQ(parse("a.csv", "\"z\",\"y\",\"x\"\n3,2,1\n6,5,4\n9.25,8,7\n").cloud.points, kXyzPoints);
   // Prose, and names that say what holds anyhow.
   for (const char* comment : {"# x y z\n", "# positions x y\n", "# x y z of every point\n", "# x y z r g b\n"})
-    EXPECT_EQ(parse("a.xyz", comment + std::string(kText)).cloud.points, kPoints) << comment;
-  expect_refused("a.txt", std::string("# r g b x y z\n") + kText, "names 6 columns, the first point has 3 numbers");
+    EXPECT_EQ(parse("a.xyz", comment + std::string(kXyzText)).cloud.points, kXyzPoints) << comment;
+  expect_refused("a.txt", std::string("# r g b x y z\n") + kXyzText, "names 6 columns, the first point has 3 numbers");
 }
 
 TEST(ReadXyz, AHeaderMayBeFollowedByTheCount) {
-  EXPECT_EQ(parse("a.txt", std::string("//X Y Z\n3\n") + kText).cloud.points, kPoints);
-  expect_refused("a.txt", std::string("//X Y Z\n4\n") + kText, "expected 4 points");
+  EXPECT_EQ(parse("a.txt", std::string("//X Y Z\n3\n") + kXyzText).cloud.points, kXyzPoints);
+  expect_refused("a.txt", std::string("//X Y Z\n4\n") + kXyzText, "expected 4 points");
 }
 
 // robustness 3
 TEST(ReadXyz, ASingleNumberFirstIsTheCount) {
-  EXPECT_EQ(parse("a.pts", std::string("3\n") + kText).cloud.points, kPoints);
-  const CloudFile fewer = parse("a.pts", std::string("2\n") + kText);
+  EXPECT_EQ(parse("a.pts", std::string("3\n") + kXyzText).cloud.points, kXyzPoints);
+  const CloudFile fewer = parse("a.pts", std::string("2\n") + kXyzText);
   EXPECT_EQ(fewer.report.num_declared, 2u);
   EXPECT_THAT(fewer.report.warnings, ::testing::ElementsAre("lines after the declared points were not read"));
-  expect_refused("a.pts", std::string("4\n") + kText, "expected 4 points");
+  expect_refused("a.pts", std::string("4\n") + kXyzText, "expected 4 points");
 }
 
 // robustness 1. Without a count, a file cut between lines is a shorter file.
 TEST(ReadXyz, CutsWithinALineAreSeen) {
-  testing::expect_cuts_are_seen("a.pts", std::string("3\n") + kText);
-  const std::string text = kText;
+  testing::expect_cuts_are_seen("a.pts", std::string("3\n") + kXyzText);
+  const std::string text = kXyzText;
   for (std::size_t length = 1; length < text.size(); ++length) {
     if (text[length - 1] == '\n') continue;
     const std::string cut = text.substr(0, length);
@@ -79,8 +79,9 @@ TEST(ReadXyz, CutsWithinALineAreSeen) {
 TEST(ReadXyz, CountsThatCannotBeAreErrors) {
   for (const char* count :
        {"0", "-1", "30", "2147483647", "4294967296", "9223372036854775808", "1000000000", "nan", "3.0"})
-    expect_refused("a.pts", std::string(count) + "\n" + kText, "a.pts: ");
-  EXPECT_THAT(testing::refusal("a.xyz", kText, {.max_points = 2}), ::testing::HasSubstr("expected at most 2 points"));
+    expect_refused("a.pts", std::string(count) + "\n" + kXyzText, "a.pts: ");
+  EXPECT_THAT(testing::refusal("a.xyz", kXyzText, {.max_points = 2}),
+              ::testing::HasSubstr("expected at most 2 points"));
 }
 
 Vec3d first_position(const CloudFile& read) { return read.cloud.origin + read.cloud.points.at(0).cast<double>(); }

@@ -16,7 +16,7 @@
 namespace augicp {
 namespace {
 
-constexpr const char* kColumns = "i j tx ty tz qx qy qz qw";
+constexpr const char* kPairColumns = "i j tx ty tz qx qy qz qw";
 constexpr double kMaxPlace = 1e9;
 
 std::size_t place_of(double value) {
@@ -31,7 +31,7 @@ ReferencePair pair_in(std::string_view content) {
   for (double& value : values) {
     const auto field = next_field(rest, separator);
     const std::optional<double> number = field ? parse_double(*field) : std::nullopt;
-    if (!number) throw std::invalid_argument(fmt::format("expected {}, found {}", kColumns, in_quotes(content)));
+    if (!number) throw std::invalid_argument(fmt::format("expected {}, found {}", kPairColumns, in_quotes(content)));
     value = *number;
   }
   const ReferencePair pair{place_of(values[0]), place_of(values[1]),
@@ -56,7 +56,8 @@ std::vector<ReferencePair> parse_reference_pairs(const FileBytes& file) {
       throw io_error_at_line(file.path, lines.line(), fault.what());
     }
   }
-  if (pairs.empty()) throw io_error(file.path, fmt::format("expected known motions, {} a line, found none", kColumns));
+  if (pairs.empty())
+    throw io_error(file.path, fmt::format("expected known motions, {} a line, found none", kPairColumns));
   return pairs;
 }
 

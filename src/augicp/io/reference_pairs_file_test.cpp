@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string fault_of(const std::string& text) {
+std::string pairs_fault(const std::string& text) {
   try {
     parse_reference_pairs({"pairs.txt", text});
   } catch (const IoError& error) {
@@ -30,12 +30,12 @@ TEST(ReferencePairs, MoreThanNineValuesAreFine) {
 }
 
 TEST(ReferencePairs, FaultsNameTheLine) {
-  EXPECT_THAT(fault_of("0 1 1 2 3 0 0 0 1\n0 1 1 2 3 0 0 0\n"), HasSubstr("line 2: expected i j tx"));
-  EXPECT_THAT(fault_of("0 1.5 1 2 3 0 0 0 1\n"), HasSubstr("line 1: expected the place"));
-  EXPECT_THAT(fault_of("-1 1 1 2 3 0 0 0 1\n"), HasSubstr("line 1: expected the place"));
-  EXPECT_THAT(fault_of("5 5 1 2 3 0 0 0 1\n"), HasSubstr("line 1: expected i < j"));
-  EXPECT_THAT(fault_of("0 1 1 2 3 0 0 0 2\n"), HasSubstr("length 1, found length 2"));
-  EXPECT_THAT(fault_of(""), HasSubstr("found none"));
+  EXPECT_THAT(pairs_fault("0 1 1 2 3 0 0 0 1\n0 1 1 2 3 0 0 0\n"), HasSubstr("line 2: expected i j tx"));
+  EXPECT_THAT(pairs_fault("0 1.5 1 2 3 0 0 0 1\n"), HasSubstr("line 1: expected the place"));
+  EXPECT_THAT(pairs_fault("-1 1 1 2 3 0 0 0 1\n"), HasSubstr("line 1: expected the place"));
+  EXPECT_THAT(pairs_fault("5 5 1 2 3 0 0 0 1\n"), HasSubstr("line 1: expected i < j"));
+  EXPECT_THAT(pairs_fault("0 1 1 2 3 0 0 0 2\n"), HasSubstr("length 1, found length 2"));
+  EXPECT_THAT(pairs_fault(""), HasSubstr("found none"));
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ DepthImage parse_rvl(MessageReader& reader, std::string_view data, double depth_
   const std::uint64_t width = side_at(0), height = side_at(4);
   check_sides(reader, width, height);
   // An image with more pixels than this many times its bytes is no depth image: readings have noise.
-  constexpr std::uint64_t kAlwaysAllowed = std::uint64_t{16} << 20, kMostPerByte = 512;  // pixels
-  const std::uint64_t most = std::max<std::uint64_t>(kAlwaysAllowed, kMostPerByte * data.size());
+  constexpr std::uint64_t kAlwaysAllowedPixels = std::uint64_t{16} << 20, kMostPixelsPerByte = 512;  // pixels
+  const std::uint64_t most = std::max<std::uint64_t>(kAlwaysAllowedPixels, kMostPixelsPerByte * data.size());
   if (width * height > most)
     reader.fail(fmt::format("expected an image of at most {} pixels, found {} x {}", most, width, height));
   const auto pixels = rvl_pixels(data.substr(kSizeBytes), width * height);

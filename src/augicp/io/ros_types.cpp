@@ -7,7 +7,7 @@ namespace augicp {
 namespace {
 
 constexpr const char* kTime = "int32 sec\nuint32 nanosec\n";
-constexpr const char* kHeader = "builtin_interfaces/Time stamp\nstring frame_id\n";
+constexpr const char* kHeaderFields = "builtin_interfaces/Time stamp\nstring frame_id\n";
 constexpr const char* kVector3 = "float64 x\nfloat64 y\nfloat64 z\n";
 constexpr const char* kQuaternion = "float64 x 0\nfloat64 y 0\nfloat64 z 0\nfloat64 w 1\n";
 constexpr const char* kPointField =
@@ -18,7 +18,9 @@ std::string within(const std::string& name, const std::string& definition) {
   return std::string(80, '=') + "\nMSG: " + name + "\n" + definition;
 }
 
-std::string header_types() { return within("std_msgs/Header", kHeader) + within("builtin_interfaces/Time", kTime); }
+std::string header_types() {
+  return within("std_msgs/Header", kHeaderFields) + within("builtin_interfaces/Time", kTime);
+}
 
 }  // namespace
 

@@ -8,6 +8,9 @@
 
 namespace augicp {
 
+// Bytes. A longer line is not of a header in text: the file is another one.
+inline constexpr std::size_t kMaxHeaderLine = 65'536;
+
 // The lines of a text, ended by LF, CR LF or CR. A text whose first line ends in a lone CR has CR lines throughout.
 // Lines are views into the text. REQUIRES: the text outlives them.
 class TextLines {

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-const ReadOptions kKeep{.keep_fields = true};
+const ReadOptions kKeepTimes{.keep_fields = true};
 
 // The second of four points is not finite.
 constexpr const char* kRows = "1 2 3 10 7\nnan 2 3 20 8\n4 5 6 30 9\n7 5 6 40 1\n";
@@ -40,16 +40,16 @@ constexpr std::array<std::pair<const char*, Writer>, 3> kFormats{
 
 TEST(TimeField, KnownNamesAreTakenInTheirOrderInEitherCase) {
   for (const auto& [name, written] : kFormats) {
-    const CloudFile file = testing::parse(name, written("timestamp", "T"), kKeep);
+    const CloudFile file = testing::parse(name, written("timestamp", "T"), kKeepTimes);
     ASSERT_TRUE(find_time_field(file, "")) << name;
     EXPECT_THAT(values_of_points(file, *find_time_field(file, "")), ElementsAre(7.0, 9.0, 1.0)) << name;
-    EXPECT_FALSE(find_time_field(testing::parse(name, written("ring", "stamp"), kKeep), "")) << name;
+    EXPECT_FALSE(find_time_field(testing::parse(name, written("ring", "stamp"), kKeepTimes), "")) << name;
   }
 }
 
 TEST(TimeField, AnyFieldCanBeNamed) {
   for (const auto& [name, written] : kFormats) {
-    const CloudFile file = testing::parse(name, written("Stamp", "t"), kKeep);
+    const CloudFile file = testing::parse(name, written("Stamp", "t"), kKeepTimes);
     ASSERT_TRUE(find_time_field(file, "sTAMP")) << name;
     EXPECT_THAT(values_of_points(file, *find_time_field(file, "sTAMP")), ElementsAre(10.0, 30.0, 40.0)) << name;
     EXPECT_FALSE(find_time_field(file, "time")) << name;

@@ -20,19 +20,19 @@
 namespace augicp {
 namespace {
 
-constexpr const char* kColumns = "timestamp tx ty tz qx qy qz qw";
+constexpr const char* kPoseColumns = "timestamp tx ty tz qx qy qz qw";
 constexpr std::size_t kNumColumns = 8;
-using Numbers = PoseNumbers;
 
 // The fault of a line, for the message that names the line.
 using Fault = std::invalid_argument;
 
-Numbers numbers_of(std::string_view content) {
+PoseNumbers line_numbers(std::string_view content) {
   const char separator = separator_of(content);
   const std::size_t count = num_fields(content, separator);
   if (count != kNumColumns)
-    throw Fault(fmt::format("expected {} values, {}, found {}: {}", kNumColumns, kColumns, count, in_quotes(content)));
-  Numbers numbers{};
+    throw Fault(
+        fmt::format("expected {} values, {}, found {}: {}", kNumColumns, kPoseColumns, count, in_quotes(content)));
+  PoseNumbers numbers{};
   for (double& number : numbers) {
     const std::string_view field = *next_field(content, separator);
     const std::optional<double> value = parse_double(field);
@@ -65,14 +65,14 @@ TrajectoryFile parse_tum_trajectory(const FileBytes& file) {
     const std::string_view content = trimmed(line->substr(0, line->find('#')));
     if (content.empty() || is_comment(content)) continue;
     try {
-      builder.add(pose_of_table(numbers_of(content), 1.0), lines.line());
+      builder.add(pose_of_table(line_numbers(content), 1.0), lines.line());
     } catch (const Fault& fault) {
       throw io_error_at_line(file.path, lines.line(), fault.what());
     }
   }
   TrajectoryFile read = builder.finished();
   if (read.trajectory.empty())
-    throw io_error(file.path, fmt::format("expected poses, {} a line, found none", kColumns));
+    throw io_error(file.path, fmt::format("expected poses, {} a line, found none", kPoseColumns));
   if (!ends_with_a_line_end(file.bytes)) read.warnings.push_back(kNoLineEndWarning);
   return read;
 }
@@ -85,12 +85,12 @@ TrajectoryFile read_tum_trajectory(const std::filesystem::path& path) {
 void write_tum_trajectory(const std::filesystem::path& path, const Trajectory& trajectory) {
   check_order(trajectory);
   std::string text =
-      fmt::format("# T_world_camera: the pose of the camera in the world, seconds, metres\n# {}\n", kColumns);
+      fmt::format("# T_world_camera: the pose of the camera in the world, seconds, metres\n# {}\n", kPoseColumns);
   for (const auto& [stamp_s, world_from_camera] : trajectory) {
     require(std::abs(stamp_s) <= kMaxStamp_s, "stamp_s", stamp_s, "must be seconds, at most 1e11");
     const Vec3d& t = world_from_camera.translation;
     const Eigen::Quaterniond& q = world_from_camera.rotation;
-    const Numbers numbers{stamp_s, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
+    const PoseNumbers numbers{stamp_s, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
     pose_of_numbers("trajectory", std::span(numbers).subspan<1>());  // throws for poses that the reader would refuse
     text += fmt::format("{} {}\n", stamp_text(stamp_s), fmt::join(std::span(numbers).subspan<1>(), " "));
   }

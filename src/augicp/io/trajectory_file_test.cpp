@@ -19,7 +19,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char* kText =
+constexpr const char* kTrajectory =
     "# ground truth\n"
     "1305031452.8795 1.2335 0.9177 1.5327 0.8639 0.3285 -0.1993 -0.3257\n"
     "1305031452.8895 1.2348 0.9170 1.5316 0.8656 0.3264 -0.1978 -0.3242\n"
@@ -28,7 +28,7 @@ constexpr const char* kText =
 Trajectory parse(const std::string& text) { return parse_tum_trajectory({"a.txt", text}).trajectory; }
 
 // The message of the IoError for a text, or empty if it is read.
-std::string refusal(const std::string& text) {
+std::string trajectory_refusal(const std::string& text) {
   try {
     parse(text);
   } catch (const IoError& error) {
@@ -37,7 +37,7 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-std::string with_line(const std::string& line) { return kText + line + "\n"; }
+std::string with_line(const std::string& line) { return kTrajectory + line + "\n"; }
 
 void expect_same_bits(const Trajectory& a, const Trajectory& b) {
   ASSERT_EQ(a.size(), b.size());
@@ -64,7 +64,7 @@ TEST(TrajectoryFile, SeparatorsLineEndsAndCommentsDoNotMatter) {
 }
 
 TEST(TrajectoryFile, FourDigitsOfAQuaternionAreEnough) {
-  for (const StampedPose& pose : parse(kText)) EXPECT_NEAR(pose.world_from_camera.rotation.norm(), 1.0, 1e-15);
+  for (const StampedPose& pose : parse(kTrajectory)) EXPECT_NEAR(pose.world_from_camera.rotation.norm(), 1.0, 1e-15);
 }
 
 // robustness 6
@@ -114,24 +114,24 @@ TEST(TrajectoryFile, WhatIsNoPoseOfATrajectoryIsRefused) {
       {"1305031452900000 1 2 3 0 0 0 1", "found 1305031452900000: microseconds?"},
       {"1305031452900000000 1 2 3 0 0 0 1", "nanoseconds?"}};
   for (const auto& [line, message] : cases) {
-    EXPECT_THAT(refusal(with_line(line)), HasSubstr(message)) << line;
-    EXPECT_THAT(refusal(with_line(line)), HasSubstr("a.txt: line 5: ")) << line;
+    EXPECT_THAT(trajectory_refusal(with_line(line)), HasSubstr(message)) << line;
+    EXPECT_THAT(trajectory_refusal(with_line(line)), HasSubstr("a.txt: line 5: ")) << line;
   }
 }
 
 // robustness 1
 TEST(TrajectoryFile, AFileWithoutPosesIsRefused) {
   for (const char* text : {"", "\n", "# timestamp tx ty tz qx qy qz qw\n"})
-    EXPECT_THAT(refusal(text), HasSubstr("a.txt: expected poses")) << text;
-  EXPECT_THAT(refusal(std::string("\0\0\0\0", 4)), HasSubstr("byte 0: expected text"));
+    EXPECT_THAT(trajectory_refusal(text), HasSubstr("a.txt: expected poses")) << text;
+  EXPECT_THAT(trajectory_refusal(std::string("\0\0\0\0", 4)), HasSubstr("byte 0: expected text"));
 }
 
 // robustness 1. A file cut between lines is a shorter file.
 TEST(TrajectoryFile, ACutWithinALineIsSeen) {
-  const std::string text = kText;
+  const std::string text = kTrajectory;
   for (std::size_t length = 0; length < text.size(); ++length) {
     const std::string cut = text.substr(0, length);
-    if (!refusal(cut).empty()) continue;
+    if (!trajectory_refusal(cut).empty()) continue;
     const TrajectoryFile read = parse_tum_trajectory({"a.txt", cut});
     EXPECT_EQ(read.warnings.size(), cut.ends_with('\n') ? 0u : 1u) << length;
     EXPECT_EQ(read.trajectory.size(), std::count(cut.begin(), cut.end(), '\n') - (cut.ends_with('\n') ? 1 : 0))
@@ -143,10 +143,10 @@ TEST(TrajectoryFile, ACutWithinALineIsSeen) {
 TEST(TrajectoryFile, DamagedFilesAreRefusedOrKeepThePromises) {
   std::mt19937 generator(9);
   for (int mutant = 0; mutant < 20000; ++mutant) {
-    std::string text = kText;
+    std::string text = kTrajectory;
     for (unsigned i = 0; i <= generator() % 3; ++i)
       text[generator() % text.size()] = "0123456789.-e \t,#\n\rn"[generator() % 20];
-    if (!refusal(text).empty()) continue;
+    if (!trajectory_refusal(text).empty()) continue;
     const Trajectory trajectory = parse(text);
     EXPECT_FALSE(trajectory.empty());
     EXPECT_NO_THROW(check_order(trajectory)) << text;
@@ -169,7 +169,7 @@ TEST(TrajectoryFile, FileErrorsNameThePath) {
       EXPECT_THAT(error.what(), HasSubstr((folder / name).string()));
     }
   }
-  EXPECT_THROW(write_tum_trajectory("/dev/full", parse(kText)), IoError);
+  EXPECT_THROW(write_tum_trajectory("/dev/full", parse(kTrajectory)), IoError);
 }
 
 TEST(TrajectoryFile, WhatCouldNotBeReadBackIsNotWritten) {

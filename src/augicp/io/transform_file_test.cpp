@@ -18,7 +18,7 @@ namespace {
 // A quarter turn about z: x becomes y.
 Rigid3 quarter_turn() { return {Eigen::Quaterniond(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), Vec3d(1.0, -2.0, 3.5)}; }
 
-std::string refusal(std::string_view text) {
+std::string transform_refusal(std::string_view text) {
   try {
     parse_transform(text);
   } catch (const std::invalid_argument& error) {
@@ -70,18 +70,19 @@ TEST(TransformFile, WhatIsNotARigidMotionIsRefused) {
       {R"({"T_target_source": [[1, 2]]})", "expected 16 numbers in \"T_target_source\", found 2"},
       {R"({"T_target_source": [[[1]]]})", "expected numbers"},
       {R"({"T_target_source": 1})", "found 1"}};
-  for (const auto& [text, message] : cases) EXPECT_THAT(refusal(text), ::testing::HasSubstr(message)) << text;
+  for (const auto& [text, message] : cases) EXPECT_THAT(transform_refusal(text), ::testing::HasSubstr(message)) << text;
 }
 
 TEST(TransformFile, NothingMayStandBehindTheJson) {
   const std::string json = R"({"T_target_source": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]})";
-  EXPECT_EQ(refusal(json + "\n"), "");
-  EXPECT_THAT(refusal(json + "x"), ::testing::HasSubstr("JSON is damaged"));
-  EXPECT_THAT(refusal(json + std::string(3, '\0')), ::testing::HasSubstr("JSON is damaged"));
+  EXPECT_EQ(transform_refusal(json + "\n"), "");
+  EXPECT_THAT(transform_refusal(json + "x"), ::testing::HasSubstr("JSON is damaged"));
+  EXPECT_THAT(transform_refusal(json + std::string(3, '\0')), ::testing::HasSubstr("JSON is damaged"));
 }
 
 TEST(TransformFile, DeeplyNestedJsonIsRefused) {
-  EXPECT_NE(refusal("{\"T_target_source\": " + std::string(100000, '[') + std::string(100000, ']') + "}"), "");
+  EXPECT_NE(transform_refusal("{\"T_target_source\": " + std::string(100000, '[') + std::string(100000, ']') + "}"),
+            "");
 }
 
 // robustness 9

@@ -10,9 +10,9 @@
 namespace augicp {
 namespace {
 
-constexpr Pinhole kCamera{50.0, 50.0, 31.5, 23.5, 64, 48};
-constexpr double kTolerance = 0.01;  // metres
-constexpr float kDepth = 2.0f;
+constexpr Pinhole kRuleCamera{50.0, 50.0, 31.5, 23.5, 64, 48};
+constexpr double kRuleTolerance = 0.01;  // metres
+constexpr float kRuleDepth = 2.0f;
 
 enum class Said { Agrees, Differs, Conflicts, Hidden, Unseen };
 
@@ -35,7 +35,7 @@ struct OnePoint {
 
   Cloud target() const {
     Cloud cloud;
-    cloud.points = {Vec3f(0.02f, 0.02f, kDepth)};
+    cloud.points = {Vec3f(0.02f, 0.02f, kRuleDepth)};
     cloud.directions = {Vec3f(0, 0, -1)};
     cloud.structures = {of_target};
     if (has_viewpoints) cloud.viewpoint = Vec3f::Zero();
@@ -55,16 +55,16 @@ struct OnePoint {
 
 Said camera_says(const OnePoint& point) {
   const Cloud target = point.target();
-  IndexImage index(kCamera.width, kCamera.height);
-  index.index[24 * kCamera.width + 32] = 0;
-  return said_in(ProjectiveMatcher(target, index, kCamera)
-                     .agreement(point.source(), point.target_from_source, {.distance = kTolerance}, 1));
+  IndexImage index(kRuleCamera.width, kRuleCamera.height);
+  index.index[24 * kRuleCamera.width + 32] = 0;
+  return said_in(ProjectiveMatcher(target, index, kRuleCamera)
+                     .agreement(point.source(), point.target_from_source, {.distance = kRuleTolerance}, 1));
 }
 
 Said nearest_says(const OnePoint& point) {
   const Cloud target = point.target();
   return said_in(
-      NearestMatcher(target).agreement(point.source(), point.target_from_source, {.distance = kTolerance}, 1));
+      NearestMatcher(target).agreement(point.source(), point.target_from_source, {.distance = kRuleTolerance}, 1));
 }
 
 void expect_both(const OnePoint& point, Said said) {
@@ -72,7 +72,7 @@ void expect_both(const OnePoint& point, Said said) {
   EXPECT_EQ(nearest_says(point), said) << point.offset.transpose() << ", " << point.turned_deg << " degrees";
 }
 
-constexpr float kTol = static_cast<float>(kTolerance);
+constexpr float kTol = static_cast<float>(kRuleTolerance);
 
 TEST(AgreementRules, NearIsWithinThreeTolerances) {
   for (const float side : {-1.0f, 1.0f}) {
@@ -125,26 +125,26 @@ TEST(AgreementRules, WithoutDirectionsOnlyTheDistanceCounts) {
     bare.directions.clear();
     bare.structures.clear();
     const NearestMatcher matcher(target);
-    EXPECT_EQ(said_in(matcher.agreement(source, {}, {.distance = kTolerance}, 1)), Said::Differs);
-    EXPECT_EQ(said_in(matcher.agreement(source, {}, {.distance = 2.0 * kTolerance}, 1)), Said::Agrees);
+    EXPECT_EQ(said_in(matcher.agreement(source, {}, {.distance = kRuleTolerance}, 1)), Said::Differs);
+    EXPECT_EQ(said_in(matcher.agreement(source, {}, {.distance = 2.0 * kRuleTolerance}, 1)), Said::Agrees);
   }
 }
 
 // Every point falls on the pixel whose centre is nearest: neighbours in these stairs differ by ten tolerances.
 TEST(AgreementRules, APixelReachesHalfWayToItsNeighbours) {
   const auto stair = [](int u, int v) { return 1.0f + 0.4f * static_cast<float>((u + 2 * v) % 5); };
-  DepthImage image{kCamera.width, kCamera.height, {}};
+  DepthImage image{kRuleCamera.width, kRuleCamera.height, {}};
   for (int v = 0; v < image.height; ++v)
     for (int u = 0; u < image.width; ++u) image.depth.push_back(stair(u, v));
-  const OrganizedCloud target = unproject(image, kCamera);
+  const OrganizedCloud target = unproject(image, kRuleCamera);
   for (const double du : {-0.45, 0.45})
     for (const double dv : {-0.45, 0.45}) {
       Cloud source = target.cloud;
       for (Vec3f& point : source.points)
-        point +=
-            Vec3f(static_cast<float>(du / kCamera.fx) * point.z(), static_cast<float>(dv / kCamera.fy) * point.z(), 0);
+        point += Vec3f(static_cast<float>(du / kRuleCamera.fx) * point.z(),
+                       static_cast<float>(dv / kRuleCamera.fy) * point.z(), 0);
       const Agreement agreement =
-          ProjectiveMatcher(target.cloud, target.index, kCamera).agreement(source, {}, {.distance = 0.04}, 1);
+          ProjectiveMatcher(target.cloud, target.index, kRuleCamera).agreement(source, {}, {.distance = 0.04}, 1);
       EXPECT_EQ(agreement.agree, static_cast<std::int64_t>(source.size())) << du << " " << dv;
     }
 }
@@ -153,13 +153,13 @@ TEST(AgreementRules, APixelReachesHalfWayToItsNeighbours) {
 // every number here is a sum of powers of two.
 TEST(AgreementRules, AnImageBeginsAndEndsHalfAPixelAroundItsCentres) {
   constexpr Pinhole kExact{64.0, 64.0, 31.5, 23.5, 64, 48};
-  const OrganizedCloud target = unproject({64, 48, std::vector<float>(64 * 48, kDepth)}, kExact);
+  const OrganizedCloud target = unproject({64, 48, std::vector<float>(64 * 48, kRuleDepth)}, kExact);
   const ProjectiveMatcher matcher(target.cloud, target.index, kExact);
   const float left = -0.5f, right = 0.5f, top = -0.375f, bottom = 0.375f, inward = 1.0f / 1024.0f;
   const auto is_seen = [&](float x, float y) {
     Cloud point;
-    point.points = {Vec3f(x * kDepth, y * kDepth, kDepth)};
-    return matcher.agreement(point, {}, {.distance = kTolerance}, 1).unseen == 0;
+    point.points = {Vec3f(x * kRuleDepth, y * kRuleDepth, kRuleDepth)};
+    return matcher.agreement(point, {}, {.distance = kRuleTolerance}, 1).unseen == 0;
   };
   EXPECT_TRUE(is_seen(left, 0.0f));
   EXPECT_TRUE(is_seen(0.0f, top));

@@ -20,10 +20,10 @@ namespace {
 
 using testing::random_extended_points;
 
-constexpr Pinhole kCamera{50.0, 60.0, 31.5, 23.5, 64, 48};
+constexpr Pinhole kMatchCamera{50.0, 60.0, 31.5, 23.5, 64, 48};
 
 // The view of a camera, with arbitrary directions.
-OrganizedCloud random_target(unsigned seed, const Pinhole& camera = kCamera) {
+OrganizedCloud random_target(unsigned seed, const Pinhole& camera = kMatchCamera) {
   std::mt19937 generator(seed);
   DepthImage image{camera.width, camera.height,
                    std::vector<float>(static_cast<std::size_t>(camera.width) * camera.height)};
@@ -85,7 +85,7 @@ std::vector<Correspondence> nearest_slowly(const Cloud& source, const Cloud& tar
 }
 
 std::vector<Correspondence> projective_slowly(const Cloud& source, const OrganizedCloud& target, const Rigid3& pose,
-                                              const Gates& gates, const Pinhole& camera = kCamera) {
+                                              const Gates& gates, const Pinhole& camera = kMatchCamera) {
   const IndexImage seen = project(source, pose, camera, target.index.width, target.index.height, 1);
   std::vector<Correspondence> pairs;
   for (int v = 0; v < seen.height; ++v)
@@ -145,7 +145,7 @@ TEST(Matcher, SessionOfManyPosesIsThatOfEachForAnyNumberOfThreads) {
   const OrganizedCloud target = random_target(5);
   const Cloud source = source_near(target.cloud, 6);
   const NearestMatcher nearest(target.cloud);
-  const ProjectiveMatcher projective(target.cloud, target.index, kCamera);
+  const ProjectiveMatcher projective(target.cloud, target.index, kMatchCamera);
   for (const Matcher* matcher : {static_cast<const Matcher*>(&nearest), static_cast<const Matcher*>(&projective)}) {
     const std::unique_ptr<MatchSession> session = matcher->session(source);
     int num_threads = 0;
@@ -189,7 +189,7 @@ TEST(ProjectiveMatcher, PairsAreThoseOfALoopOverPixels) {
     Cloud source = with_some_opposite(source_near(target.cloud, 4));
     drop_unknown_viewpoints(one, source, target.cloud);
     const Rigid3 pose = testing::random_motion(generator, 0.02, 0.02);
-    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, pose, one.gates, 1);
+    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kMatchCamera).match(source, pose, one.gates, 1);
     EXPECT_EQ(pairs, projective_slowly(source, target, pose, one.gates));
     EXPECT_GT(pairs.size(), 20u);
   }
@@ -210,7 +210,8 @@ TEST(ProjectiveMatcher, PairsOfPointsSideBySideAreThoseOfALoopOverPixels) {
     OrganizedCloud target = random_target(3);
     Cloud source = with_some_opposite(source_along_rays(target.cloud, 5));
     drop_unknown_viewpoints(one, source, target.cloud);
-    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, Rigid3{}, one.gates, 1);
+    const auto pairs =
+        ProjectiveMatcher(target.cloud, target.index, kMatchCamera).match(source, Rigid3{}, one.gates, 1);
     EXPECT_EQ(pairs, projective_slowly(source, target, Rigid3{}, one.gates));
     EXPECT_GT(pairs.size(), 500u);
   }
@@ -218,9 +219,10 @@ TEST(ProjectiveMatcher, PairsOfPointsSideBySideAreThoseOfALoopOverPixels) {
 
 // The view of a camera on a wall, without directions: a point in every pixel except the omitted ones.
 OrganizedCloud wall_without(float depth, const std::vector<int>& pixels) {
-  DepthImage image{kCamera.width, kCamera.height, std::vector<float>(kCamera.width * kCamera.height, depth)};
+  DepthImage image{kMatchCamera.width, kMatchCamera.height,
+                   std::vector<float>(kMatchCamera.width * kMatchCamera.height, depth)};
   for (const int pixel : pixels) image.depth[pixel] = std::nanf("");
-  OrganizedCloud seen = unproject(image, kCamera);
+  OrganizedCloud seen = unproject(image, kMatchCamera);
   seen.cloud.directions.assign(seen.cloud.size(), Vec3f::Zero());
   seen.cloud.structures.assign(seen.cloud.size(), Structure::None);
   return seen;
@@ -229,7 +231,8 @@ OrganizedCloud wall_without(float depth, const std::vector<int>& pixels) {
 TEST(ProjectiveMatcher, HolesOfOneImageAloneMakeNoPairs) {
   const OrganizedCloud whole = wall_without(1.0f, {}), holes = wall_without(1.0f, {0, 70, 71, 700, 3071});
   for (const auto& [source, target] : {std::pair{whole, holes}, {holes, whole}, {holes, holes}}) {
-    const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source.cloud, Rigid3{}, Gates{}, 1);
+    const auto pairs =
+        ProjectiveMatcher(target.cloud, target.index, kMatchCamera).match(source.cloud, Rigid3{}, Gates{}, 1);
     EXPECT_EQ(pairs, projective_slowly(source.cloud, target, Rigid3{}, Gates{}));
     EXPECT_EQ(pairs.size(), holes.cloud.size());
   }
@@ -237,7 +240,7 @@ TEST(ProjectiveMatcher, HolesOfOneImageAloneMakeNoPairs) {
 
 TEST(ProjectiveMatcher, TheDistanceGateIsWhereItIsSaidToBe) {
   const OrganizedCloud source = wall_without(1.0f, {}), target = wall_without(1.25f, {});
-  const ProjectiveMatcher matcher(target.cloud, target.index, kCamera);
+  const ProjectiveMatcher matcher(target.cloud, target.index, kMatchCamera);
   const double farthest = 0.25 * std::hypot(31.5 / 50.0, 23.5 / 60.0, 1.0);  // in the image's corners
   Gates gates;
   gates.max_distance = 1.0001 * farthest;
@@ -265,10 +268,10 @@ TEST(ProjectiveMatcher, FewPointsFindWhatTheyFindAmongAll) {
   std::vector<std::uint32_t> few;
   for (std::uint32_t j = 0; j < all.size(); j += 20) few.push_back(j);
   const Rigid3 pose{Eigen::Quaterniond::Identity(), {0.01, 0.0, 0.0}};
-  const ProjectiveMatcher matcher(target.cloud, target.index, kCamera);
+  const ProjectiveMatcher matcher(target.cloud, target.index, kMatchCamera);
   const auto pairs_of_all = matcher.match(all, pose, Gates{}, 1),
              pairs_of_few = matcher.match(select(all, few), pose, Gates{}, 1);
-  const IndexImage seen = project(all, pose, kCamera, kCamera.width, kCamera.height, 1);
+  const IndexImage seen = project(all, pose, kMatchCamera, kMatchCamera.width, kMatchCamera.height, 1);
   std::size_t num_again = 0;
   for (const Correspondence& pair : pairs_of_few) {
     const Correspondence same{few[pair.source], pair.target};
@@ -285,7 +288,8 @@ TEST(ProjectiveMatcher, FewPointsFindWhatTheyFindAmongAll) {
 
 TEST(ProjectiveMatcher, AnImagePairsWithItself) {
   const OrganizedCloud target = random_target(5);
-  const auto pairs = ProjectiveMatcher(target.cloud, target.index, kCamera).match(target.cloud, Rigid3{}, Gates{}, 2);
+  const auto pairs =
+      ProjectiveMatcher(target.cloud, target.index, kMatchCamera).match(target.cloud, Rigid3{}, Gates{}, 2);
   ASSERT_EQ(pairs.size(), target.cloud.size());
   for (std::uint32_t k = 0; k < pairs.size(); ++k) EXPECT_EQ(pairs[k], (Correspondence{k, k}));
 }
@@ -312,7 +316,7 @@ struct OnePair {
 
   bool passes(const Gates& gates, const Rigid3& pose = {}) const {
     const auto nearest = NearestMatcher(target.cloud).match(source, pose, gates, 1);
-    const auto projective = ProjectiveMatcher(target.cloud, target.index, kCamera).match(source, pose, gates, 1);
+    const auto projective = ProjectiveMatcher(target.cloud, target.index, kMatchCamera).match(source, pose, gates, 1);
     EXPECT_EQ(nearest, projective);
     return !nearest.empty();
   }
@@ -390,8 +394,9 @@ TEST(Gates, BadOnesAreRefused) {
   for (double bad : {0.0, -1.0, std::nan("")}) {
     for (const Gates& gates : {Gates{.max_distance = bad}, Gates{.max_angle = bad}}) {
       EXPECT_THROW(NearestMatcher(pair.target.cloud).match(pair.source, {}, gates, 1), std::invalid_argument);
-      EXPECT_THROW(ProjectiveMatcher(pair.target.cloud, pair.target.index, kCamera).match(pair.source, {}, gates, 1),
-                   std::invalid_argument);
+      EXPECT_THROW(
+          ProjectiveMatcher(pair.target.cloud, pair.target.index, kMatchCamera).match(pair.source, {}, gates, 1),
+          std::invalid_argument);
     }
   }
 }
@@ -400,8 +405,8 @@ TEST(Matcher, EmptyCloudsGiveNoPairs) {
   const OrganizedCloud target = random_target(6), nothing{{}, IndexImage(64, 48)};
   EXPECT_TRUE(NearestMatcher(target.cloud).match({}, {}, {}, 2).empty());
   EXPECT_TRUE(NearestMatcher(nothing.cloud).match(target.cloud, {}, {}, 2).empty());
-  EXPECT_TRUE(ProjectiveMatcher(target.cloud, target.index, kCamera).match({}, {}, {}, 2).empty());
-  EXPECT_TRUE(ProjectiveMatcher(nothing.cloud, nothing.index, kCamera).match(target.cloud, {}, {}, 2).empty());
+  EXPECT_TRUE(ProjectiveMatcher(target.cloud, target.index, kMatchCamera).match({}, {}, {}, 2).empty());
+  EXPECT_TRUE(ProjectiveMatcher(nothing.cloud, nothing.index, kMatchCamera).match(target.cloud, {}, {}, 2).empty());
 }
 
 TEST(Matcher, SameForAnyNumberOfThreads) {

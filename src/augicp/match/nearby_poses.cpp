@@ -13,19 +13,17 @@
 namespace augicp {
 namespace {
 
-constexpr std::size_t kPointsPerBlock = 512;
-
 // Distances have a relative error of about 3e-7, except if their squares leave the range of float.
 constexpr float kSure = 1.0f + 1e-5f, kShortest = 1e-15f, kLongest = 1e18f;
 
-constexpr std::uint32_t kNone = UINT32_MAX;
+constexpr std::uint32_t kNoPoint = UINT32_MAX;
 
 // Finds the nearest points to several places near each other.
 class PlacesSearch {
  public:
   PlacesSearch(const KdTree& tree, float max_distance_sq) : tree_(tree), max_distance_sq_(max_distance_sq) {}
 
-  // For each place the nearest target point at a squared distance below the limit; kNone if there is none.
+  // For each place the nearest target point at a squared distance below the limit; kNoPoint if there is none.
   const std::vector<std::uint32_t>& nearest(std::span<const Vec3f> places);
 
  private:
@@ -56,11 +54,11 @@ bool PlacesSearch::find_candidates(const Vec3f& middle, float moved) {
 }
 
 std::uint32_t PlacesSearch::nearest_candidate(const Vec3f& place) const {
-  Neighbour nearest{kNone, max_distance_sq_};
+  Neighbour nearest{kNoPoint, max_distance_sq_};
   for (const std::uint32_t index : candidates_) {
     const float distance_sq = tree_.distance_sq(place, index);
     const bool is_nearer = distance_sq < nearest.distance_sq ||
-                           (distance_sq == nearest.distance_sq && nearest.index != kNone && index < nearest.index);
+                           (distance_sq == nearest.distance_sq && nearest.index != kNoPoint && index < nearest.index);
     if (is_nearer) nearest = {index, distance_sq};
   }
   return nearest.index;
@@ -68,7 +66,7 @@ std::uint32_t PlacesSearch::nearest_candidate(const Vec3f& place) const {
 
 std::uint32_t PlacesSearch::nearest_of_all(const Vec3f& place) const {
   const std::optional<Neighbour> found = tree_.nearest(place, max_distance_sq_);
-  return found ? found->index : kNone;
+  return found ? found->index : kNoPoint;
 }
 
 const std::vector<std::uint32_t>& PlacesSearch::nearest(std::span<const Vec3f> places) {
@@ -92,7 +90,7 @@ std::vector<std::vector<Correspondence>> match_nearby(const Cloud& source, const
   if (poses.empty()) return {};
   std::vector<PairFilter> filters;
   for (const Rigid3& pose : poses) filters.emplace_back(source, target, pose, gates);
-  const std::size_t num_blocks = (source.size() + kPointsPerBlock - 1) / kPointsPerBlock;
+  const std::size_t num_blocks = (source.size() + kSearchesPerBlock - 1) / kSearchesPerBlock;
   using Blocks = std::vector<std::vector<Correspondence>>;
   std::vector<Blocks> of_pose(poses.size(), Blocks(num_blocks));
   const auto match_block = [&](std::size_t begin, std::size_t end) {
@@ -102,11 +100,11 @@ std::vector<std::vector<Correspondence>> match_nearby(const Cloud& source, const
       for (std::size_t k = 0; k < poses.size(); ++k) places[k] = filters[k].moved(j);
       const std::vector<std::uint32_t>& nearest = search.nearest(places);
       for (std::size_t k = 0; k < poses.size(); ++k)
-        if (nearest[k] != kNone && filters[k].passes(j, places[k], nearest[k]))
-          of_pose[k][begin / kPointsPerBlock].push_back({j, nearest[k]});
+        if (nearest[k] != kNoPoint && filters[k].passes(j, places[k], nearest[k]))
+          of_pose[k][begin / kSearchesPerBlock].push_back({j, nearest[k]});
     }
   };
-  for_each_block(source.size(), num_threads, match_block, kPointsPerBlock);
+  for_each_block(source.size(), num_threads, match_block, kSearchesPerBlock);
   std::vector<std::vector<Correspondence>> pairs;
   pairs.reserve(of_pose.size());
   for (const Blocks& blocks : of_pose) pairs.push_back(joined(blocks));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "augicp/search/kd_tree.h"
 
 namespace augicp {
+
+// Searches take long enough for blocks so small, of which few thousand points have several for each thread.
+inline constexpr std::size_t kSearchesPerBlock = 512;
 
 // For each pose the pairs of nearest points, as NearestMatcher::match() finds them; faster if the poses move each point
 // by about its distance to the target or less. The target points that are nearest under any of the poses lie around the

@@ -9,17 +9,14 @@
 namespace augicp {
 namespace {
 
-// Searches take long enough for blocks so small, of which few thousand points have several for each thread.
-constexpr std::size_t kPointsPerBlock = 512;
-
 // find(j, place): the target point nearest to source point j, which the pose moves to that place. Each block has a
 // copy, which may remember what it found for the point before: neighbours in memory mostly are neighbours in space.
 template <typename Find>
 std::vector<Correspondence> match_nearest(const Cloud& source, const PairFilter& filter, int num_threads,
                                           const Find& find) {
-  std::vector<std::vector<Correspondence>> of_block((source.size() + kPointsPerBlock - 1) / kPointsPerBlock);
+  std::vector<std::vector<Correspondence>> of_block((source.size() + kSearchesPerBlock - 1) / kSearchesPerBlock);
   const auto match_block = [&](std::size_t begin, std::size_t end) {
-    std::vector<Correspondence>& pairs = of_block[begin / kPointsPerBlock];
+    std::vector<Correspondence>& pairs = of_block[begin / kSearchesPerBlock];
     Find find_in_block = find;
     for (auto j = static_cast<std::uint32_t>(begin); j < end; ++j) {
       const Vec3f moved = filter.moved(j);
@@ -27,7 +24,7 @@ std::vector<Correspondence> match_nearest(const Cloud& source, const PairFilter&
       if (found && filter.passes(j, moved, found->index)) pairs.push_back({j, found->index});
     }
   };
-  for_each_block(source.size(), num_threads, match_block, kPointsPerBlock);
+  for_each_block(source.size(), num_threads, match_block, kSearchesPerBlock);
   return joined(of_block);
 }
 

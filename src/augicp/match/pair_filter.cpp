@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-constexpr auto kNone = static_cast<std::int32_t>(Structure::None),
+constexpr auto kNoStructure = static_cast<std::int32_t>(Structure::None),
                kPlanar = static_cast<std::int32_t>(Structure::Planar);
 
 // The gates as numbers; switches are 1 or 0.
@@ -53,7 +53,7 @@ AUGICP_VECTORIZED void test_directions(const GateNumbers& __restrict gates, Cand
     const std::int32_t of_source = c.source_structure[k], of_target = c.target_structure[k];
     const bool with_sign = (gates.signed_normals != 0) & (of_target == kPlanar);
     const float likeness = with_sign ? cosine : std::abs(cosine);
-    const bool both = (of_source != kNone) & (of_target != kNone), alike = of_source == of_target;
+    const bool both = (of_source != kNoStructure) & (of_target != kNoStructure), alike = of_source == of_target;
     const bool is_unlike = (same_structure != 0) & both & !alike;
     const bool is_turned = (compares_angles != 0) & both & alike & !(likeness >= gates.min_cosine);
     c.passes[k] &= (is_unlike | is_turned) ? 0 : 1;

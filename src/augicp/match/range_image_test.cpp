@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-constexpr float kTolerance = 0.1f;
+constexpr float kRangeTolerance = 0.1f;
 constexpr std::size_t kNumRays = 40000;
 
 // The nearest surface of a box from -half to half along a ray from a place within it.
@@ -53,7 +53,7 @@ Cloud room_from(const Vec3f& place, unsigned seed) {
 
 double share_of(Sight sight, const RangeImage& image, const Cloud& points, const Vec3f& moved) {
   const auto count = std::count_if(points.points.begin(), points.points.end(),
-                                   [&](const Vec3f& p) { return image.sight(p + moved, kTolerance) == sight; });
+                                   [&](const Vec3f& p) { return image.sight(p + moved, kRangeTolerance) == sight; });
   return static_cast<double>(count) / static_cast<double>(points.size());
 }
 
@@ -84,9 +84,9 @@ TEST(RangeImage, NearerIsFreeAndFartherIsHidden) {
   const RangeImage image(room, Vec3f::Zero());
   for (const Vec3f& axis : {Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, -1), Vec3f(-1, 0, 0)}) {
     const float range = range_within(Vec3f::Zero(), axis, kHalfRoom);
-    EXPECT_EQ(image.sight((range - 0.5f) * axis, kTolerance), Sight::Free);
-    EXPECT_EQ(image.sight(range * axis, kTolerance), Sight::AtSurface);
-    EXPECT_EQ(image.sight((range + 0.5f) * axis, kTolerance), Sight::Hidden);
+    EXPECT_EQ(image.sight((range - 0.5f) * axis, kRangeTolerance), Sight::Free);
+    EXPECT_EQ(image.sight(range * axis, kRangeTolerance), Sight::AtSurface);
+    EXPECT_EQ(image.sight((range + 0.5f) * axis, kRangeTolerance), Sight::Hidden);
   }
 }
 
@@ -94,9 +94,9 @@ TEST(RangeImage, WhereNothingWasSeenIsOutOfView) {
   Cloud half = room_from(Vec3f::Zero(), 1);
   std::erase_if(half.points, [](const Vec3f& point) { return point.x() < 0.0f; });
   const RangeImage image(half, Vec3f::Zero());
-  EXPECT_EQ(image.sight({-1.0f, 0.0f, 0.0f}, kTolerance), Sight::OutOfView);
-  EXPECT_EQ(image.sight({1.0f, 0.0f, 0.0f}, kTolerance), Sight::Free);
-  EXPECT_EQ(image.sight(Vec3f::Zero(), kTolerance), Sight::OutOfView);  // no line of sight has a direction there
+  EXPECT_EQ(image.sight({-1.0f, 0.0f, 0.0f}, kRangeTolerance), Sight::OutOfView);
+  EXPECT_EQ(image.sight({1.0f, 0.0f, 0.0f}, kRangeTolerance), Sight::Free);
+  EXPECT_EQ(image.sight(Vec3f::Zero(), kRangeTolerance), Sight::OutOfView);  // no line of sight has a direction there
 }
 
 // What one place sees lies in no other place's free space, if the pose is right; if it is not, much does.
@@ -119,21 +119,21 @@ TEST(RangeImage, DependsOnTheScanAlone) {
   std::size_t num_alike = 0;
   for (std::size_t i = 0; i < other.size(); ++i) {
     const Vec3f place = (other_moved.origin - moved.origin).cast<float>() + other_moved.points[i];
-    if (image.sight(other.points[i], kTolerance) == image_moved.sight(place, kTolerance)) ++num_alike;
+    if (image.sight(other.points[i], kRangeTolerance) == image_moved.sight(place, kRangeTolerance)) ++num_alike;
   }
   EXPECT_GT(static_cast<double>(num_alike) / static_cast<double>(other.size()), 0.97);
 }
 
 TEST(LinesOfSight, AreKnownOnlyFromThePlaceOfTheSensor) {
   const Cloud room = room_from(Vec3f::Zero(), 1);
-  EXPECT_TRUE(lines_of_sight(room, kTolerance));
+  EXPECT_TRUE(lines_of_sight(room, kRangeTolerance));
   Cloud elsewhere = room;
   for (Vec3f& point : elsewhere.points) point += Vec3f(-1.4f, 0.5f, 0.6f);
-  EXPECT_FALSE(lines_of_sight(elsewhere, kTolerance));
+  EXPECT_FALSE(lines_of_sight(elsewhere, kRangeTolerance));
   elsewhere.viewpoint = Vec3f(-1.4f, 0.5f, 0.6f);
-  ASSERT_TRUE(lines_of_sight(elsewhere, kTolerance));
-  EXPECT_EQ(lines_of_sight(elsewhere, kTolerance)->place(), *elsewhere.viewpoint);
-  EXPECT_FALSE(lines_of_sight(Cloud{}, kTolerance));
+  ASSERT_TRUE(lines_of_sight(elsewhere, kRangeTolerance));
+  EXPECT_EQ(lines_of_sight(elsewhere, kRangeTolerance)->place(), *elsewhere.viewpoint);
+  EXPECT_FALSE(lines_of_sight(Cloud{}, kRangeTolerance));
 }
 
 // Points relative to an origin are seen from the zero of their frame, not from the origin.
@@ -141,8 +141,8 @@ TEST(LinesOfSight, OriginsAreNotPlacesOfSensors) {
   Cloud room = room_from(Vec3f::Zero(), 1);
   for (Vec3f& point : room.points) point -= Vec3f(1.0f, 0.0f, 0.0f);
   room.origin = Vec3d(1.0, 0.0, 0.0);
-  ASSERT_TRUE(lines_of_sight(room, kTolerance));
-  EXPECT_EQ(lines_of_sight(room, kTolerance)->place(), Vec3f(-1.0f, 0.0f, 0.0f));
+  ASSERT_TRUE(lines_of_sight(room, kRangeTolerance));
+  EXPECT_EQ(lines_of_sight(room, kRangeTolerance)->place(), Vec3f(-1.0f, 0.0f, 0.0f));
 }
 
 // A merged model hides one side behind the other from wherever it is seen.
@@ -150,7 +150,7 @@ TEST(LinesOfSight, AClosedObjectSeenFromOutsideHasNone) {
   std::mt19937 generator(3);
   Cloud ball;
   for (std::size_t k = 0; k < 5000; ++k) ball.points.push_back(Vec3f(3.0f, 0.0f, 0.0f) + random_ray(generator));
-  EXPECT_FALSE(lines_of_sight(ball, kTolerance));
+  EXPECT_FALSE(lines_of_sight(ball, kRangeTolerance));
 }
 
 // The nearest points of a target with lines of sight see through what those of a bare one do not see.
@@ -162,7 +162,7 @@ TEST(LinesOfSight, TellFreeAndHiddenFromUnseen) {
     return half;
   }();
   const AgreementTolerance tolerance{.distance = 0.05};
-  const NearestMatcher bare(room), sighted(room, lines_of_sight(room, kTolerance));
+  const NearestMatcher bare(room), sighted(room, lines_of_sight(room, kRangeTolerance));
   const Agreement of_bare = bare.agreement(within, {}, tolerance, 1),
                   of_sighted = sighted.agreement(within, {}, tolerance, 1);
   EXPECT_FALSE(bare.knows_free_space());

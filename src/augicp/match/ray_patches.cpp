@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMinRays = 16, kTypicalRays = 64;
 constexpr std::size_t kNumRays = 8000;                   // of all patches together
 constexpr std::size_t kMaxPairs = std::size_t{1} << 22;  // of rays of a patch, which are compared with each other
-constexpr int kMinCellsPerEdge = 8, kMaxCellsPerEdge = 128;
+constexpr int kMinPatchesPerEdge = 8, kMaxPatchesPerEdge = 128;
 
 constexpr std::uint32_t kNoCell = UINT32_MAX;
 
@@ -63,8 +63,8 @@ std::vector<std::uint32_t> counts_of(const std::vector<std::uint32_t>& cells, in
 // As fine as leaves the typical number of points in a cell. Some of the points tell which cells have any.
 int cells_for(const Cloud& cloud, const Vec3f& place) {
   const std::size_t step = cloud.size() / kNumRays + 1;
-  int cells = kMinCellsPerEdge;
-  for (; cells < kMaxCellsPerEdge; cells *= 2) {
+  int cells = kMinPatchesPerEdge;
+  for (; cells < kMaxPatchesPerEdge; cells *= 2) {
     const std::vector<std::uint32_t> counts = counts_of(cells_of(cloud, place, cells, step), cells);
     const auto num_empty = static_cast<std::size_t>(std::count(counts.begin(), counts.end(), 0U));
     if (cloud.size() < 2 * kTypicalRays * (counts.size() - num_empty)) break;

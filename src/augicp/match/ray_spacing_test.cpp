@@ -10,7 +10,7 @@
 namespace augicp {
 namespace {
 
-constexpr float kStep = 0.01f;  // radians between the rays of a line
+constexpr float kLineStep = 0.01f;  // radians between the rays of a line
 
 // What lies along a ray: walls 3 m away on all sides, and a block that hides a part of them.
 float range_along(const Vec3f& ray) {
@@ -18,19 +18,19 @@ float range_along(const Vec3f& ray) {
   return (meets_block ? 1.2f : 3.0f) / ray.cwiseAbs().maxCoeff();
 }
 
-constexpr float kTolerance = 0.1f;  // metres
+constexpr float kSpacingTolerance = 0.1f;  // metres
 
 // Lines at even elevations, rays at even azimuths; range noise is along the ray and leaves its direction. The lines of
 // many sensors are not in step: each begins at an azimuth of its own.
 Cloud spun_scan(unsigned seed, bool in_step = true) {
   std::mt19937 generator(seed);
   std::normal_distribution<float> noise(0.0f, 0.02f);
-  std::uniform_real_distribution<float> phase(0.0f, kStep);
+  std::uniform_real_distribution<float> phase(0.0f, kLineStep);
   Cloud scan;
   for (int line = -8; line < 8; ++line)
     for (float azimuth = in_step ? 0.0f : phase(generator); azimuth < 2.0f * std::numbers::pi_v<float>;
-         azimuth += kStep) {
-      const float elevation = 3.5f * kStep * static_cast<float>(line);
+         azimuth += kLineStep) {
+      const float elevation = 3.5f * kLineStep * static_cast<float>(line);
       const Vec3f ray(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                       std::sin(elevation));
       const float range = range_along(ray) + noise(generator);
@@ -62,8 +62,8 @@ double evenness_from(const Cloud& cloud, const Vec3f& place) { return evenness(r
 TEST(RaySpacing, RaysOfASensorAreEvenInAndOutOfStep) {
   EXPECT_GT(evenness_from(spun_scan(1), Vec3f::Zero()), 0.95);
   EXPECT_GT(evenness_from(spun_scan(1, false), Vec3f::Zero()), 0.95);
-  EXPECT_TRUE(is_one_sensors_scan(spun_scan(2), kTolerance));
-  EXPECT_TRUE(is_one_sensors_scan(spun_scan(2, false), kTolerance));
+  EXPECT_TRUE(is_one_sensors_scan(spun_scan(2), kSpacingTolerance));
+  EXPECT_TRUE(is_one_sensors_scan(spun_scan(2, false), kSpacingTolerance));
 }
 
 // The law of the nearest neighbour in the plane: P(d < r) = 1 - exp(-pi n r^2), so that the ratio of the quantiles p
@@ -75,7 +75,7 @@ TEST(RaySpacing, RandomDirectionsHaveTheRatioOfAPoissonProcess) {
   for (int k = 0; k < 100000; ++k)
     cloud.points.push_back(Vec3f(normal(generator), normal(generator), normal(generator)));
   EXPECT_NEAR(evenness_from(cloud, Vec3f::Zero()), std::sqrt(std::log(0.98) / std::log(0.8)), 0.06);
-  EXPECT_FALSE(is_one_sensors_scan(cloud, kTolerance));
+  EXPECT_FALSE(is_one_sensors_scan(cloud, kSpacingTolerance));
 }
 
 // As many points on each square metre: the angle between two is their distance by the range.
@@ -90,7 +90,7 @@ TEST(RaySpacing, GrowsWithTheRangeOnlyOnModels) {
   const auto of_model = growth_with_range(ray_patches(model_of_a_hall(10), Vec3f::Zero()));
   ASSERT_TRUE(of_model);
   EXPECT_NEAR(*of_model, -1.25, 0.3);
-  EXPECT_FALSE(is_one_sensors_scan(model_of_a_hall(10), kTolerance));
+  EXPECT_FALSE(is_one_sensors_scan(model_of_a_hall(10), kSpacingTolerance));
 }
 
 // Directions at random between walls, with a pillar in front of each.
@@ -110,9 +110,9 @@ Cloud seen_among_pillars(unsigned seed) {
 TEST(RaySpacing, ScansWhoseLinesMeetAreKnownAsNothingLiesBehindAnything) {
   Cloud scan = seen_among_pillars(11);
   EXPECT_LT(evenness_from(scan, Vec3f::Zero()), 0.5);
-  EXPECT_TRUE(is_one_sensors_scan(scan, kTolerance));
+  EXPECT_TRUE(is_one_sensors_scan(scan, kSpacingTolerance));
   scan.viewpoint = Vec3f(0.7f, 0.7f, 0.0f);
-  EXPECT_FALSE(is_one_sensors_scan(scan, kTolerance));
+  EXPECT_FALSE(is_one_sensors_scan(scan, kSpacingTolerance));
 }
 
 TEST(RaySpacing, TwoScansInOneFrameAreNotOneSensors) {
@@ -131,12 +131,12 @@ TEST(RaySpacing, ThePlaceFollowsViewpointAndOrigin) {
   Cloud scan = spun_scan(7);
   const Vec3f away(5.0f, 4.0f, 0.0f);
   for (Vec3f& point : scan.points) point += away;
-  EXPECT_FALSE(is_one_sensors_scan(scan, kTolerance));
+  EXPECT_FALSE(is_one_sensors_scan(scan, kSpacingTolerance));
   scan.viewpoint = away;
-  EXPECT_TRUE(is_one_sensors_scan(scan, kTolerance));
+  EXPECT_TRUE(is_one_sensors_scan(scan, kSpacingTolerance));
   scan.viewpoint.reset();
   scan.origin = -away.cast<double>();
-  EXPECT_TRUE(is_one_sensors_scan(scan, kTolerance));
+  EXPECT_TRUE(is_one_sensors_scan(scan, kSpacingTolerance));
 }
 
 TEST(RaySpacing, NoPointsAndOnePlaceAreNoScan) {

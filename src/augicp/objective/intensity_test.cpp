@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-struct TwoClouds {
+struct GreyClouds {
   Cloud source, target;
   std::vector<Correspondence> pairs;
 };
@@ -31,16 +31,16 @@ void add_brightness(Cloud& cloud, std::mt19937& generator) {
   }
 }
 
-TwoClouds random_pairs(std::size_t num_pairs, unsigned seed) {
-  TwoClouds two{testing::random_extended_points(50, 1.0, seed), testing::random_extended_points(50, 1.0, seed + 1),
-                testing::random_pairs(num_pairs, 50, seed)};
+GreyClouds random_grey_pairs(std::size_t num_pairs, unsigned seed) {
+  GreyClouds two{testing::random_extended_points(50, 1.0, seed), testing::random_extended_points(50, 1.0, seed + 1),
+                 testing::random_pairs(num_pairs, 50, seed)};
   std::mt19937 generator(seed);
   add_brightness(two.source, generator);
   add_brightness(two.target, generator);
   return two;
 }
 
-std::vector<Rigid3> some_poses() {
+std::vector<Rigid3> poses_of_grey_clouds() {
   std::mt19937 generator(17);
   std::vector<Rigid3> poses{Rigid3{}};
   for (double angle_rad : {0.01, 0.5, 3.0}) poses.push_back(testing::random_motion(generator, angle_rad, 0.7));
@@ -48,7 +48,7 @@ std::vector<Rigid3> some_poses() {
 }
 
 // The definition, one pair after the other.
-double plain_residual(const TwoClouds& two, const Correspondence& pair, const Rigid3& pose) {
+double plain_residual(const GreyClouds& two, const Correspondence& pair, const Rigid3& pose) {
   const Vec3d q = pose * two.source.points[pair.source].cast<double>(),
               p = two.target.points[pair.target].cast<double>();
   return static_cast<double>(two.target.intensities[pair.target]) +
@@ -56,20 +56,21 @@ double plain_residual(const TwoClouds& two, const Correspondence& pair, const Ri
          static_cast<double>(two.source.intensities[pair.source]);
 }
 
-NormalEquations linearize(const TwoClouds& two, const Rigid3& pose, const IntensityModel& model, int num_threads = 1) {
+NormalEquations linearize(const GreyClouds& two, const Rigid3& pose, const IntensityModel& model, int num_threads = 1) {
   return linearize_intensity({two.source, two.target, two.pairs, pose}, model, num_threads);
 }
 
 template <typename Matrix>
-double relative_difference(const Matrix& a, const Matrix& b) {
+double largest_relative_difference(const Matrix& a, const Matrix& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-const std::vector<IntensityModel> kModels{{1.0}, {200.0}, {200.0, 30.0}, {200.0, 30.0, 0.4}, {5.0, 1e-3, -0.2}};
+const std::vector<IntensityModel> kIntensityModels{
+    {1.0}, {200.0}, {200.0, 30.0}, {200.0, 30.0, 0.4}, {5.0, 1e-3, -0.2}};
 
 TEST(Intensity, CostAndResidualsAreTheDefinition) {
-  const TwoClouds two = random_pairs(200, 1);
-  for (const Rigid3& pose : some_poses()) {
+  const GreyClouds two = random_grey_pairs(200, 1);
+  for (const Rigid3& pose : poses_of_grey_clouds()) {
     const std::vector<float> residuals = intensity_residuals({two.source, two.target, two.pairs, pose}, 1);
     double cost = 0.0;
     for (std::size_t k = 0; k < two.pairs.size(); ++k) {
@@ -82,20 +83,20 @@ TEST(Intensity, CostAndResidualsAreTheDefinition) {
 }
 
 TEST(Intensity, VectorIsTheGradientOfTheCost) {
-  const TwoClouds two = random_pairs(200, 2);
-  for (const IntensityModel& model : kModels)
-    for (const Rigid3& pose : some_poses()) {
+  const GreyClouds two = random_grey_pairs(200, 2);
+  for (const IntensityModel& model : kIntensityModels)
+    for (const Rigid3& pose : poses_of_grey_clouds()) {
       const auto cost = [&](const Rigid3& moved) { return linearize(two, moved, model).cost; };
-      EXPECT_LE(relative_difference(linearize(two, pose, model).b, testing::numeric_gradient(cost, pose)), 1e-6)
+      EXPECT_LE(largest_relative_difference(linearize(two, pose, model).b, testing::numeric_gradient(cost, pose)), 1e-6)
           << model.kernel_chi2;
     }
 }
 
 // The same through the whole objective, positions and directions beside it.
 TEST(Intensity, VectorOfTheWholeObjectiveIsTheGradientOfItsCost) {
-  const TwoClouds two = random_pairs(200, 3);
-  for (const IntensityModel& model : kModels)
-    for (const Rigid3& pose : some_poses()) {
+  const GreyClouds two = random_grey_pairs(200, 3);
+  for (const IntensityModel& model : kIntensityModels)
+    for (const Rigid3& pose : poses_of_grey_clouds()) {
       const Objective objective{augmented_information(), 100.0, 50.0, model};
       const auto at = [&](const Rigid3& moved) {
         return augicp::linearize({two.source, two.target, two.pairs, moved}, objective, 1);
@@ -105,16 +106,16 @@ TEST(Intensity, VectorOfTheWholeObjectiveIsTheGradientOfItsCost) {
                linearize(two, moved, model).cost;
       };
       EXPECT_NEAR(at(pose).cost, cost(pose), 2e-6 * cost(pose));
-      EXPECT_LE(relative_difference(at(pose).b, testing::numeric_gradient(cost, pose)), 2e-6);
+      EXPECT_LE(largest_relative_difference(at(pose).b, testing::numeric_gradient(cost, pose)), 2e-6);
       EXPECT_EQ(at(pose).num_intensity_pairs, at(pose).num_pairs);
     }
 }
 
 // H of a pose and an offset together, by numeric Jacobians; the offset then eliminated by a full inverse.
 TEST(Intensity, MatrixIsThatOfAPoseWhoseOffsetIsFoundToo) {
-  const TwoClouds two = random_pairs(60, 4);
+  const GreyClouds two = random_grey_pairs(60, 4);
   const IntensityModel model{7.0};
-  for (const Rigid3& pose : some_poses()) {
+  for (const Rigid3& pose : poses_of_grey_clouds()) {
     Eigen::Matrix<double, 7, 7> joint = Eigen::Matrix<double, 7, 7>::Zero();
     for (const Correspondence& pair : two.pairs) {
       const auto error = [&](const Rigid3& moved) {
@@ -125,15 +126,15 @@ TEST(Intensity, MatrixIsThatOfAPoseWhoseOffsetIsFoundToo) {
       joint += model.information * row * row.transpose();
     }
     const Mat6d covariance = joint.inverse().topLeftCorner<6, 6>();
-    EXPECT_LE(relative_difference(Mat6d(linearize(two, pose, model).H), Mat6d(covariance.inverse())), 1e-6);
+    EXPECT_LE(largest_relative_difference(Mat6d(linearize(two, pose, model).H), Mat6d(covariance.inverse())), 1e-6);
   }
 }
 
 TEST(Intensity, MatrixIsSymmetricAndHasNoNegativeEigenvalue) {
   for (unsigned seed = 0; seed < 5; ++seed)
-    for (const IntensityModel& model : kModels) {
-      const Mat6d H = linearize(random_pairs(5, seed), some_poses()[2], model).H;
-      EXPECT_LE(relative_difference(Mat6d(H.transpose()), H), 1e-14);
+    for (const IntensityModel& model : kIntensityModels) {
+      const Mat6d H = linearize(random_grey_pairs(5, seed), poses_of_grey_clouds()[2], model).H;
+      EXPECT_LE(largest_relative_difference(Mat6d(H.transpose()), H), 1e-14);
       const Vec6d eigenvalues = testing::eigenvalues_of(H);
       EXPECT_GE(eigenvalues[0], -1e-9 * eigenvalues[5]);
     }
@@ -141,7 +142,7 @@ TEST(Intensity, MatrixIsSymmetricAndHasNoNegativeEigenvalue) {
 
 // Along an even ramp a shift and a change of exposure look the same.
 TEST(Intensity, ARampHoldsNothing) {
-  TwoClouds two = random_pairs(200, 5);
+  GreyClouds two = random_grey_pairs(200, 5);
   for (Vec3f& gradient : two.target.intensity_gradients) gradient = Vec3f(2.0f, 0.0f, 0.0f);
   const Mat6d H = linearize(two, Rigid3{}, {1.0}).H;
   EXPECT_NEAR(H(0, 0), 0.0, 1e-9);
@@ -151,8 +152,8 @@ TEST(Intensity, ARampHoldsNothing) {
 // The same gradients on both sides are known to both; unlike ones, as noise makes them, to neither.
 TEST(Intensity, WhatBothKnowIsTheMatrixWhereTheyAgreeAndLittleWhereTheyDoNot) {
   const IntensityModel model{200.0, 30.0, 0.1};
-  for (const Rigid3& pose : some_poses()) {
-    TwoClouds unlike = random_pairs(5000, 12), alike = unlike;
+  for (const Rigid3& pose : poses_of_grey_clouds()) {
+    GreyClouds unlike = random_grey_pairs(5000, 12), alike = unlike;
     alike.source.points.clear(), alike.source.intensity_gradients.clear();
     for (std::size_t i = 0; i < alike.target.size(); ++i) {
       alike.source.points.push_back((inverse(pose) * alike.target.points[i].cast<double>()).cast<float>());
@@ -160,10 +161,10 @@ TEST(Intensity, WhatBothKnowIsTheMatrixWhereTheyAgreeAndLittleWhereTheyDoNot) {
           (inverse(pose).rotation * alike.target.intensity_gradients[i].cast<double>()).cast<float>());
     }
     for (Correspondence& pair : alike.pairs) pair.source = pair.target;
-    const auto shared = [&](const TwoClouds& two, int num_threads) {
+    const auto shared = [&](const GreyClouds& two, int num_threads) {
       return shared_intensity_information({two.source, two.target, two.pairs, pose}, model, num_threads);
     };
-    EXPECT_LE(relative_difference(shared(alike, 1), linearize(alike, pose, model).H), 1e-5);
+    EXPECT_LE(largest_relative_difference(shared(alike, 1), linearize(alike, pose, model).H), 1e-5);
     EXPECT_LE(shared(unlike, 1).trace(), 0.1 * linearize(unlike, pose, model).H.trace());
     EXPECT_EQ(shared(unlike, 3), shared(unlike, 1));
     unlike.source.intensity_gradients.clear();
@@ -172,12 +173,12 @@ TEST(Intensity, WhatBothKnowIsTheMatrixWhereTheyAgreeAndLittleWhereTheyDoNot) {
 }
 
 TEST(Intensity, CostStaysWhenTheWholeSceneMoves) {
-  const TwoClouds two = random_pairs(200, 6);
+  const GreyClouds two = random_grey_pairs(200, 6);
   std::mt19937 generator(6);
   const IntensityModel model{200.0, 30.0, 0.1};
   for (int i = 0; i < 5; ++i) {
-    const Rigid3 motion = testing::random_motion(generator, 2.5, 3.0), pose = some_poses()[2];
-    TwoClouds moved{transform(two.source, motion), transform(two.target, motion), two.pairs};
+    const Rigid3 motion = testing::random_motion(generator, 2.5, 3.0), pose = poses_of_grey_clouds()[2];
+    GreyClouds moved{transform(two.source, motion), transform(two.target, motion), two.pairs};
     for (Cloud* cloud : {&moved.source, &moved.target}) {
       for (Vec3f& point : cloud->points) point += cloud->origin.cast<float>();
       cloud->origin.setZero();
@@ -188,19 +189,19 @@ TEST(Intensity, CostStaysWhenTheWholeSceneMoves) {
 }
 
 TEST(Intensity, TheUnitOfIntensityDoesNotMatter) {
-  TwoClouds two = random_pairs(200, 7);
-  const NormalEquations expected = linearize(two, some_poses()[2], {200.0, 30.0, 0.1});
+  GreyClouds two = random_grey_pairs(200, 7);
+  const NormalEquations expected = linearize(two, poses_of_grey_clouds()[2], {200.0, 30.0, 0.1});
   for (Cloud* cloud : {&two.source, &two.target}) {
     for (float& intensity : cloud->intensities) intensity *= 256.0f;
     for (Vec3f& gradient : cloud->intensity_gradients) gradient *= 256.0f;
   }
-  const NormalEquations equations = linearize(two, some_poses()[2], {200.0 / (256.0 * 256.0), 30.0, 25.6});
+  const NormalEquations equations = linearize(two, poses_of_grey_clouds()[2], {200.0 / (256.0 * 256.0), 30.0, 25.6});
   EXPECT_NEAR(equations.cost, expected.cost, 1e-9 * expected.cost);
-  EXPECT_LE(relative_difference(equations.H, expected.H), 1e-9);
+  EXPECT_LE(largest_relative_difference(equations.H, expected.H), 1e-9);
 }
 
 TEST(Intensity, PairsWithSomethingUnknownDoNotCount) {
-  TwoClouds two = random_pairs(200, 8);
+  GreyClouds two = random_grey_pairs(200, 8);
   const auto& [source, target] = two.pairs[0];
   const auto left = [&] { return linearize(two, Rigid3{}, {1.0}).num_intensity_pairs; };
   EXPECT_EQ(left(), 200);
@@ -215,7 +216,7 @@ TEST(Intensity, PairsWithSomethingUnknownDoNotCount) {
 
 // Clouds with brightness and gradients, but no comparable pair: nothing is constrained, and nothing is divided by zero.
 TEST(Intensity, WhereNoPairIsKnownNothingIsHeld) {
-  TwoClouds two = random_pairs(50, 12);
+  GreyClouds two = random_grey_pairs(50, 12);
   for (Vec3f& gradient : two.target.intensity_gradients) gradient.setZero();
   const NormalEquations equations = linearize(two, {}, {200.0, 30.0});
   EXPECT_EQ(equations.H, Mat6d(Mat6d::Zero()));
@@ -226,9 +227,9 @@ TEST(Intensity, WhereNoPairIsKnownNothingIsHeld) {
 }
 
 TEST(Intensity, WithoutItOnEitherSideThereIsNone) {
-  const TwoClouds two = random_pairs(20, 9);
+  const GreyClouds two = random_grey_pairs(20, 9);
   for (int without = 0; without < 3; ++without) {
-    TwoClouds bare = two;
+    GreyClouds bare = two;
     if (without == 0) bare.source.intensities.clear();
     if (without == 1) bare.target.intensities.clear();
     if (without == 2) bare.target.intensity_gradients.clear();
@@ -243,12 +244,12 @@ TEST(Intensity, WithoutItOnEitherSideThereIsNone) {
 }
 
 TEST(Intensity, SameBitsForAnyNumberOfThreads) {
-  const TwoClouds two = random_pairs(3 * kLightBlockSize + 7, 10);
+  const GreyClouds two = random_grey_pairs(3 * kLightBlockSize + 7, 10);
   const IntensityModel model{200.0, 30.0, 0.1};
-  const NormalEquations expected = linearize(two, some_poses()[2], model);
+  const NormalEquations expected = linearize(two, poses_of_grey_clouds()[2], model);
   EXPECT_EQ(expected.num_intensity_pairs, static_cast<std::int64_t>(two.pairs.size()));
   for (int num_threads = 2; num_threads <= 8; ++num_threads) {
-    const NormalEquations equations = linearize(two, some_poses()[2], model, num_threads);
+    const NormalEquations equations = linearize(two, poses_of_grey_clouds()[2], model, num_threads);
     EXPECT_EQ(equations.H, expected.H);
     EXPECT_EQ(equations.b, expected.b);
     EXPECT_EQ(equations.cost, expected.cost);
@@ -256,7 +257,7 @@ TEST(Intensity, SameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Intensity, BadNumbersAreRefused) {
-  const TwoClouds two = random_pairs(5, 11);
+  const GreyClouds two = random_grey_pairs(5, 11);
   for (const IntensityModel& bad : {IntensityModel{-1.0}, IntensityModel{1.0, 0.0}, IntensityModel{1.0, std::nan("")},
                                     IntensityModel{1.0, 1.0, std::nan("")}})
     EXPECT_THROW(linearize(two, Rigid3{}, bad), std::invalid_argument);

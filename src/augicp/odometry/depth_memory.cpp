@@ -9,12 +9,10 @@
 namespace augicp {
 namespace {
 
-constexpr double kBytesPerGb = 1e9;
-
 // Measured: the peak of runs with images of 0.3 and 4.9 million pixels, all of them to every sixteenth used
 // (docs/lab/first_hour.md). A pixel: the image and the one that is read meanwhile. One that is used: two frames and the
 // model, with their statistics.
-constexpr double kBytesOfProgram = 1e7;
+constexpr double kBytesWithoutImages = 1e7;
 constexpr double kBytesPerPixel = 12.0;
 constexpr double kBytesPerUsedPixel = 270.0;
 
@@ -26,7 +24,7 @@ std::string in_mb(double gb) { return std::to_string(std::llround(gb * 1000.0));
 double depth_memory_gb(int width, int height, int pixel_step) {
   const double num_pixels = static_cast<double>(width) * height;
   const double num_used = num_pixels / (static_cast<double>(pixel_step) * pixel_step);
-  return (kBytesOfProgram + kBytesPerPixel * num_pixels + kBytesPerUsedPixel * num_used) / kBytesPerGb;
+  return (kBytesWithoutImages + kBytesPerPixel * num_pixels + kBytesPerUsedPixel * num_used) / kBytesPerGb;
 }
 
 void require_memory(int width, int height, int pixel_step, const OdometryOptions& options) {

@@ -13,6 +13,7 @@
 
 #include "augicp/geometry/rotation.h"
 #include "augicp/odometry/lidar_odometry.h"
+#include "augicp/odometry/lidar_testing.h"
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/testing/matchers.h"
@@ -22,22 +23,14 @@ namespace augicp {
 namespace {
 
 using synthetic::Motion;
+using testing::kSweep_s;
 using testing::NearPose;
+using testing::small_lidar;
 
-constexpr double kSweep_s = 0.1;
-
-synthetic::Lidar street_lidar() {
-  synthetic::Lidar lidar;
-  lidar.num_rings = 32;
-  lidar.num_azimuths = 360;
-  lidar.sweep_s = kSweep_s;
-  return lidar;
-}
-
-synthetic::World street() { return {synthetic::street(5), {}}; }
+synthetic::World street_world() { return {synthetic::street(5), {}}; }
 
 Motion from_start(const Rigid3& motion_of_one_second) {
-  return synthetic::moving_evenly(street().scene.world_from_camera, motion_of_one_second);
+  return synthetic::moving_evenly(street_world().scene.world_from_camera, motion_of_one_second);
 }
 
 Motion straight(double speed) { return from_start({Eigen::Quaterniond::Identity(), {speed, 0.0, 0.0}}); }
@@ -63,7 +56,7 @@ std::vector<FrameReport> tracked(const Drive& drive) {
   for (const int k : drive.sweeps) {
     const double begin_s = k * kSweep_s;
     const synthetic::Sweep sweep =
-        synthetic::scan(drive.world, street_lidar(), drive.motion, static_cast<unsigned>(k + 1), begin_s);
+        synthetic::scan(drive.world, small_lidar(), drive.motion, static_cast<unsigned>(k + 1), begin_s);
     reports.push_back(odometry.add(begin_s, sweep.cloud, shares_from_times(sweep.times_s)));
   }
   return reports;
@@ -83,13 +76,15 @@ void expect_true_poses(const Drive& drive, double max_angle_rad, double max_dist
 }
 
 TEST(LidarConditions, DroppedScans) {
-  expect_true_poses({street(), straight(6.0), {0, 1, 2, 5, 6, 10, 11, 12}, {}}, 0.003, 0.03);
+  expect_true_poses({street_world(), straight(6.0), {0, 1, 2, 5, 6, 10, 11, 12}, {}}, 0.003, 0.03);
 }
 
-TEST(LidarConditions, StartingWhileMoving) { expect_true_poses({street(), straight(15.0), first(6), {}}, 0.003, 0.08); }
+TEST(LidarConditions, StartingWhileMoving) {
+  expect_true_poses({street_world(), straight(15.0), first(6), {}}, 0.003, 0.08);
+}
 
 TEST(LidarConditions, StartingWhileTurning) {
-  expect_true_poses({street(), from_start({rotation_exp({0.0, 0.0, 1.0}), {2.0, 0.0, 0.0}}), first(6), {}}, 0.004,
+  expect_true_poses({street_world(), from_start({rotation_exp({0.0, 0.0, 1.0}), {2.0, 0.0, 0.0}}), first(6), {}}, 0.004,
                     0.04);
 }
 
@@ -99,7 +94,7 @@ double straightening_error(const Drive& drive, const FrameReport& report, PoseIn
   const int last = drive.sweeps.back();
   const double begin_s = last * kSweep_s;
   const synthetic::Sweep sweep =
-      synthetic::scan(drive.world, street_lidar(), drive.motion, static_cast<unsigned>(last + 1), begin_s);
+      synthetic::scan(drive.world, small_lidar(), drive.motion, static_cast<unsigned>(last + 1), begin_s);
   const double first_s = sweep.times_s.front(), last_s = sweep.times_s.back();
   const double moment_s = pose_at == PoseInstant::Begin ? first_s
                           : pose_at == PoseInstant::End ? last_s
@@ -115,14 +110,14 @@ double straightening_error(const Drive& drive, const FrameReport& report, PoseIn
 
 // 15 m/s and 90 degrees a second, along a line and on an arc. They move points by more than half a metre.
 TEST(LidarConditions, SweepsOfFastTurnsAreStraightenedToACentimetre) {
-  const Rigid3 start = street().scene.world_from_camera;
+  const Rigid3 start = street_world().scene.world_from_camera;
   const Motion on_an_arc = [&](double time_s) {
     const double rate = 0.5 * std::numbers::pi, radius = 15.0 / rate, angle = rate * time_s;
     return start *
            Rigid3{rotation_exp({0.0, 0.0, angle}), {radius * std::sin(angle), radius * (1.0 - std::cos(angle)), 0.0}};
   };
   const Motion along_a_line = from_start({rotation_exp({0.0, 0.0, 0.5 * std::numbers::pi}), {15.0, 0.0, 0.0}});
-  const Drive line{street(), along_a_line, first(8), {}}, arc{street(), on_an_arc, first(4), {}};
+  const Drive line{street_world(), along_a_line, first(8), {}}, arc{street_world(), on_an_arc, first(4), {}};
   const FrameReport on_the_line = tracked(line).back();
   EXPECT_LT(straightening_error(line, on_the_line, PoseInstant::Middle), 0.01);
   // There the error of half a sweep's motion is added.
@@ -174,7 +169,8 @@ TEST(LidarConditions, ReadingsAtImpossibleRangesChangeNothing) {
   const Rigid3 first_from_world = inverse(motion(0.5 * kSweep_s));
   for (int k = 0; k < 6; ++k) {
     const double begin_s = k * kSweep_s;
-    synthetic::Sweep sweep = synthetic::scan(street(), street_lidar(), motion, static_cast<unsigned>(k + 1), begin_s);
+    synthetic::Sweep sweep =
+        synthetic::scan(street_world(), small_lidar(), motion, static_cast<unsigned>(k + 1), begin_s);
     if (k % 3 == 1) sweep.cloud.points[7] = {3e9f, -3e9f, 3e9f};
     const FrameReport report = odometry.add(begin_s, sweep.cloud, shares_from_times(sweep.times_s));
     const Rigid3 true_one = first_from_world * motion(begin_s + 0.5 * kSweep_s);
@@ -184,12 +180,12 @@ TEST(LidarConditions, ReadingsAtImpossibleRangesChangeNothing) {
 
 // It stands for a second, and starts with 4 m/s^2.
 TEST(LidarConditions, StartingFromStandstill) {
-  const Rigid3 start = street().scene.world_from_camera;
+  const Rigid3 start = street_world().scene.world_from_camera;
   const Motion motion = [&](double time_s) {
     const double t = std::max(0.0, time_s - 1.0);
     return start * Rigid3{Eigen::Quaterniond::Identity(), {2.0 * t * t, 0.0, 0.0}};
   };
-  expect_true_poses({street(), motion, first(18), {}}, 0.003, 0.03);
+  expect_true_poses({street_world(), motion, first(18), {}}, 0.003, 0.03);
 }
 
 synthetic::MovingObject vehicle(const Vec3d& place, const Vec3d& velocity, const Vec3d& size) {
@@ -202,7 +198,7 @@ synthetic::MovingObject vehicle(const Vec3d& place, const Vec3d& velocity, const
 
 // A van ahead with the sensor's own speed, oncoming cars, and a lorry that overtakes.
 synthetic::World busy_street() {
-  synthetic::World world = street();
+  synthetic::World world = street_world();
   const double x = world.scene.world_from_camera.translation.x();
   world.moving = {vehicle({x + 9.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, {5.5, 2.0, 2.6}),
                   vehicle({x + 14.0, 2.6, 0.0}, {-9.0, 0.0, 0.0}, {4.4, 1.8, 1.5}),
@@ -214,12 +210,12 @@ synthetic::World busy_street() {
 TEST(LidarConditions, MovingTraffic) { expect_true_poses({busy_street(), straight(5.0), first(12), {}}, 0.003, 0.04); }
 
 TEST(LidarConditions, StandingInTraffic) {
-  expect_true_poses({busy_street(), synthetic::standing_at(street().scene.world_from_camera), first(12), {}}, 0.001,
-                    0.006);
+  expect_true_poses({busy_street(), synthetic::standing_at(street_world().scene.world_from_camera), first(12), {}},
+                    0.001, 0.006);
 }
 
 TEST(LidarConditions, EveryNthScanIsCheckedAgainstAKeyframeFartherBack) {
-  Drive drive{street(), straight(6.0), first(10), {}};
+  Drive drive{street_world(), straight(6.0), first(10), {}};
   drive.options.check_every = 3;
   const std::vector<FrameReport> reports = tracked(drive);
   const Rigid3 first_from_world = inverse(drive.motion(0.5 * kSweep_s));
@@ -236,7 +232,7 @@ TEST(LidarConditions, EveryNthScanIsCheckedAgainstAKeyframeFartherBack) {
 }
 
 TEST(LidarConditions, TheSelfCheckCanBeLeftOut) {
-  Drive drive{street(), straight(6.0), first(12), {}};
+  Drive drive{street_world(), straight(6.0), first(12), {}};
   drive.options.check_every = 0;
   for (const FrameReport& report : tracked(drive)) EXPECT_FALSE(report.drift);
 }
@@ -245,12 +241,13 @@ TEST(LidarConditions, TheSelfCheckCanBeLeftOut) {
 // fall into further voxels; without a bound each of the keyframes would add its few hundred.
 TEST(LidarConditions, OverKnownPlacesTheMapDoesNotGrow) {
   constexpr int kNumPlaces = 10, kRound = 2 * (kNumPlaces - 1), kNumScans = testing::repeats(240, 90);
-  synthetic::Lidar lidar = street_lidar();
+  synthetic::Lidar lidar = small_lidar();
   lidar.num_azimuths = 240;
   std::vector<Cloud> scans;
   scans.reserve(kNumPlaces);
   for (int k = 0; k < kNumPlaces; ++k)
-    scans.push_back(synthetic::scan(street().scene, lidar, straight(6.0)(0.25 * k), static_cast<unsigned>(k + 1)));
+    scans.push_back(
+        synthetic::scan(street_world().scene, lidar, straight(6.0)(0.25 * k), static_cast<unsigned>(k + 1)));
   LidarOptions options;
   options.num_threads = 1;
   options.voxel_size = 0.6;
@@ -286,13 +283,13 @@ std::size_t num_in_box(const LidarOdometry& odometry, const Rigid3& world_from_f
 // A lorry that stands ahead on the left, and drives away after half a second: the map holds it, and loses a part of it
 // once keyframes have seen what was behind. How much stays depends on where the road behind it is seen.
 TEST(LidarConditions, OfWhatDrivesAwayLessStaysInTheMap) {
-  const Vec3d sensor = street().scene.world_from_camera.translation;
+  const Vec3d sensor = street_world().scene.world_from_camera.translation;
   const double beside = sensor.y() > 0.0 ? -2.2 : 2.2;  // in the road, free of what is parked
   const Vec3d place(sensor.x() + 12.0, sensor.y() + beside, 0.0);
   const Vec3d size(7.0, 2.0, 3.2);
   std::size_t num_left[2] = {0, 0};  // without and with removal
   for (const bool is_removed : {false, true}) {
-    synthetic::World world = street();
+    synthetic::World world = street_world();
     world.moving = {vehicle(Vec3d::Zero(), Vec3d::Zero(), size)};
     world.moving[0].world_from_object = [&](double time_s) {
       return Rigid3{Eigen::Quaterniond::Identity(), place + Vec3d(15.0 * std::max(0.0, time_s - 0.5), 0.0, 0.0)};
@@ -304,7 +301,7 @@ TEST(LidarConditions, OfWhatDrivesAwayLessStaysInTheMap) {
     const Motion motion = straight(6.0);
     for (int k = 0; k < 16; ++k) {
       const synthetic::Sweep sweep =
-          synthetic::scan(world, street_lidar(), motion, static_cast<unsigned>(k), k * kSweep_s);
+          synthetic::scan(world, small_lidar(), motion, static_cast<unsigned>(k), k * kSweep_s);
       odometry.add(k * kSweep_s, sweep.cloud, shares_from_times(sweep.times_s));
       if (k == 4) {
         EXPECT_GT(num_in_box(odometry, motion(0.5 * kSweep_s), place, size), 10u);

@@ -12,12 +12,10 @@
 namespace augicp {
 namespace {
 
-constexpr double kBytesPerGb = 1e9;
-
 // Measured: the peak of runs with scans of 0.1 to 3 million points and maps of 0.1 to 2.2 million voxels
 // (docs/lab/first_hour.md). A point: its copies, straightened and downsampled. A voxel: its sums, its place in the
 // table, its surface, and the same of a map that grows. A kept point: itself, its direction and structure.
-constexpr double kBytesOfProgram = 2e7;
+constexpr double kBytesWithoutScans = 2e7;
 constexpr double kBytesPerPoint = 200.0;
 constexpr double kBytesPerVoxel = 550.0;
 constexpr double kBytesPerKeptPoint = 28.0;
@@ -58,7 +56,7 @@ std::optional<double> enough_voxel(const LidarMemory& needed, const Cloud& scan,
 
 double LidarMemory::gb() const {
   const auto times = [](double bytes, std::size_t count) { return bytes * static_cast<double>(count); };
-  return (kBytesOfProgram + times(kBytesPerPoint, num_points) + times(kBytesPerVoxel, num_voxels) +
+  return (kBytesWithoutScans + times(kBytesPerPoint, num_points) + times(kBytesPerVoxel, num_voxels) +
           times(kBytesPerKeptPoint, num_kept)) /
          kBytesPerGb;
 }

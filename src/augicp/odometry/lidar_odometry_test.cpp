@@ -11,6 +11,7 @@
 
 #include "augicp/core/error.h"
 #include "augicp/geometry/rotation.h"
+#include "augicp/odometry/lidar_testing.h"
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/testing/matchers.h"
@@ -20,17 +21,10 @@
 namespace augicp {
 namespace {
 
+using testing::kSweep_s;
 using testing::NearPose;
-
-constexpr double kSweep_s = 0.1;
-
-synthetic::Lidar small_lidar() {
-  synthetic::Lidar lidar;
-  lidar.num_rings = 32;
-  lidar.num_azimuths = 360;
-  lidar.sweep_s = kSweep_s;
-  return lidar;
-}
+using testing::one_thread;
+using testing::small_lidar;
 
 const testing::Scene& street() {
   static const testing::Scene scene = synthetic::street(5);
@@ -40,12 +34,6 @@ const testing::Scene& street() {
 // 5 m/s and 20 degrees a second.
 synthetic::Motion driving() {
   return synthetic::moving_evenly(street().world_from_camera, {rotation_exp({0.0, 0.0, 0.35}), {5.0, 0.0, 0.0}});
-}
-
-LidarOptions one_thread() {
-  LidarOptions options;
-  options.num_threads = 1;
-  return options;
 }
 
 struct Timed {

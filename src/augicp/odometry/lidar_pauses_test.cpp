@@ -11,6 +11,7 @@
 
 #include "augicp/geometry/rotation.h"
 #include "augicp/odometry/lidar_odometry.h"
+#include "augicp/odometry/lidar_testing.h"
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/testing/matchers.h"
@@ -20,25 +21,14 @@
 namespace augicp {
 namespace {
 
+using testing::kSweep_s;
 using testing::NearPose;
+using testing::one_thread;
+using testing::small_lidar;
 
-constexpr double kSweep_s = 0.1, kSpeed = 6.0, kBraking = 7.0;
+constexpr double kSpeed = 6.0, kBraking = 7.0;
 constexpr int kNumBefore = 5, kNumAfter = 4;
 constexpr double kPause_s = kNumBefore * kSweep_s;
-
-synthetic::Lidar small_lidar() {
-  synthetic::Lidar lidar;
-  lidar.num_rings = 32;
-  lidar.num_azimuths = 360;
-  lidar.sweep_s = kSweep_s;
-  return lidar;
-}
-
-LidarOptions one_thread() {
-  LidarOptions options;
-  options.num_threads = 1;
-  return options;
-}
 
 // The distance that the sensor has driven. It brakes when the recording pauses.
 double braked(double time_s) {

@@ -7,6 +7,7 @@
 
 #include "augicp/geometry/rotation.h"
 #include "augicp/odometry/lidar_odometry.h"
+#include "augicp/odometry/lidar_testing.h"
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/testing/scenes.h"
@@ -15,8 +16,7 @@ namespace augicp {
 namespace {
 
 using synthetic::Motion;
-
-constexpr double kSweep_s = 0.1;
+using testing::kSweep_s;
 
 synthetic::Lidar lidar_of(int num_azimuths) {
   synthetic::Lidar lidar;

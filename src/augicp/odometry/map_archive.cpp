@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "augicp/registration/memory.h"
+
 namespace augicp {
 namespace {
 
@@ -13,12 +15,11 @@ constexpr double kReplacedShare = 0.5;
 constexpr double kUpdateShare = 0.25;
 
 // A node of the map and what the allocator adds, and a point of a tile.
-constexpr double kBytesPerPoint = 150.0;
-constexpr double kBytesPerGb = 1e9;
+constexpr double kBytesPerArchivedPoint = 150.0;
 
 }  // namespace
 
-double MapArchive::memory_gb() const { return kBytesPerPoint * static_cast<double>(size()) / kBytesPerGb; }
+double MapArchive::memory_gb() const { return kBytesPerArchivedPoint * static_cast<double>(size()) / kBytesPerGb; }
 
 bool MapArchive::is_due(const Vec3d& place_in_world) const {
   return !has_place_ || (place_in_world - place_).norm() > kUpdateShare * reach_;

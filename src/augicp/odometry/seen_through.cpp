@@ -12,8 +12,8 @@ namespace {
 
 // A ray crosses the surface of a voxel if it meets the plane this near to its point, voxels; of near voxels, within
 // this angle of the line of sight, which limits the number of rays.
-constexpr double kReachVoxels = 0.5;
-constexpr double kMaxAngle = 2.5 * kRadPerDeg;
+constexpr double kCrossingVoxels = 0.5;
+constexpr double kMaxCrossingAngle = 2.5 * kRadPerDeg;
 
 // Beyond the plane by more than this, voxels, a ray has passed; this near to it, it has ended there.
 constexpr double kMarginVoxels = 1.0;
@@ -91,7 +91,7 @@ class Rays {
 bool is_seen_through(const Rays& rays, const Vec3d& point, const Vec3d& normal, double voxel_size) {
   const double range = point.norm();
   if (!(range > voxel_size)) return false;
-  const double angle = std::min(kMaxAngle, kReachVoxels * voxel_size / range);
+  const double angle = std::min(kMaxCrossingAngle, kCrossingVoxels * voxel_size / range);
   const double reach_sq = angle * range * angle * range, margin = kMarginVoxels * voxel_size;
   int num_passed = 0, num_ended = 0;
   rays.near(point / range, angle, [&](const Vec3f& direction_f, float measured) {

@@ -21,7 +21,7 @@ namespace {
 
 using testing::NearPose;
 
-constexpr double kVoxel = 0.7;
+constexpr double kCheckVoxel = 0.7;
 
 // A scan with the directions of its own voxels.
 Cloud described_scan(const testing::Scene& scene, const Rigid3& world_from_sensor, unsigned seed) {
@@ -29,7 +29,7 @@ Cloud described_scan(const testing::Scene& scene, const Rigid3& world_from_senso
   lidar.num_azimuths = 360;
   Cloud scan = synthetic::scan(scene, lidar, world_from_sensor, seed);
   SurfaceMapOptions options;
-  options.voxel_size = kVoxel;
+  options.voxel_size = kCheckVoxel;
   SurfaceMap own(options);
   own.add(scan, Rigid3{});
   own.describe(scan, Rigid3{});
@@ -38,13 +38,13 @@ Cloud described_scan(const testing::Scene& scene, const Rigid3& world_from_senso
 
 SelfCheckOptions check_options(int num_threads = 1) {
   SelfCheckOptions options;
-  options.distance = 15.0 * kVoxel;
-  options.on_surface = 0.15 * kVoxel;
-  options.typical_distance = 15.0 * kVoxel;
+  options.distance = 15.0 * kCheckVoxel;
+  options.on_surface = 0.15 * kCheckVoxel;
+  options.typical_distance = 15.0 * kCheckVoxel;
   options.align_by.information = plane_information();
-  options.align_by.gates.max_distance = kVoxel;
+  options.align_by.gates.max_distance = kCheckVoxel;
   options.align_by.min_observability = 4e-3;
-  options.align_by.correlation_length = 2.0 * kVoxel;
+  options.align_by.correlation_length = 2.0 * kCheckVoxel;
   options.align_by.num_threads = num_threads;
   return options;
 }
@@ -67,7 +67,7 @@ const Pair& street_pair() {
 
 std::optional<DriftCheck> checked(const Rigid3& world_from_scan, const SelfCheckOptions& options = check_options()) {
   SelfCheck check;
-  check.remember(7.0, street_pair().keyframe, street_pair().world_from_keyframe, std::nullopt, kVoxel);
+  check.remember(7.0, street_pair().keyframe, street_pair().world_from_keyframe, std::nullopt, kCheckVoxel);
   return check.check(street_pair().scan, world_from_scan, std::nullopt, options);
 }
 
@@ -122,7 +122,7 @@ TEST(SelfCheck, ADriftContradictsOnlyIfATwentiethMorePointsAreOnSurfaces) {
   for (const int points_per_edge : {0, 20, 30, 40, 60, 80}) {
     SelfCheck check;
     check.remember(0.0, above_a_plane(pair.keyframe, 2 * points_per_edge), pair.world_from_keyframe, std::nullopt,
-                   kVoxel);
+                   kCheckVoxel);
     const auto found = check.check(above_a_plane(pair.scan, points_per_edge), pair.world_from_scan * along,
                                    std::nullopt, check_options());
     ASSERT_TRUE(found);
@@ -138,7 +138,7 @@ TEST(SelfCheck, ADriftContradictsOnlyIfATwentiethMorePointsAreOnSurfaces) {
 TEST(SelfCheck, WhatTheCovarianceExplainsIsNoContradiction) {
   const Pair& pair = street_pair();
   SelfCheck check;
-  check.remember(0.0, pair.keyframe, pair.world_from_keyframe, Mat6d(0.04 * Mat6d::Identity()), kVoxel);
+  check.remember(0.0, pair.keyframe, pair.world_from_keyframe, Mat6d(0.04 * Mat6d::Identity()), kCheckVoxel);
   const Rigid3 along{Eigen::Quaterniond::Identity(), {0.6, 0.0, 0.0}};
   const auto found = check.check(pair.scan, pair.world_from_scan * along, std::nullopt, check_options());
   ASSERT_TRUE(found);
@@ -151,7 +151,7 @@ TEST(SelfCheck, DoesNotAnswerWhereTwoScansCannot) {
   const testing::Scene corridor = synthetic::corridor();
   SelfCheck along_corridor;
   along_corridor.remember(0.0, described_scan(corridor, corridor.world_from_camera, 1), corridor.world_from_camera,
-                          std::nullopt, kVoxel);
+                          std::nullopt, kCheckVoxel);
   const Rigid3 next = corridor.world_from_camera * Rigid3{Eigen::Quaterniond::Identity(), {2.0, 0.0, 0.0}};
   EXPECT_FALSE(along_corridor.check(described_scan(corridor, next, 2), next, std::nullopt, check_options()));
   const Rigid3 far{Eigen::Quaterniond::Identity(), {500.0, 0.0, 0.0}};

@@ -20,11 +20,11 @@ constexpr double kMapCellsPerVoxel = 4.0;
 constexpr double kCellsPerVoxel = 2.0;
 
 // Points farther than this are left out: their cells would not fit into a key. Voxels.
-constexpr double kReachVoxels = 1 << 17;
+constexpr double kKeyReachVoxels = 1 << 17;
 
 constexpr std::size_t kMinPairs = 50;
-constexpr int kMaxIterations = 12;
-constexpr double kMinStep = 1e-4;
+constexpr int kMaxSkewIterations = 12;
+constexpr double kMinSkewStep = 1e-4;
 constexpr double kMaxShare = 5.0;  // no minimum beyond
 
 // The kernel, see LidarOdometry: its width in median errors, and its least width in voxels.
@@ -129,7 +129,7 @@ Step step_from(const std::vector<Row>& rows, double kernel) {
 
 SkewedScan skewed_scan(const Cloud& scan, const SweepShares& shares, const SweepMotion& motion,
                        const Rigid3& world_from_sensor, double voxel_size) {
-  const double reach = kReachVoxels * voxel_size;
+  const double reach = kKeyReachVoxels * voxel_size;
   SurfaceMapOptions options;
   options.voxel_size = voxel_size;
   SurfaceMap own(options);
@@ -157,7 +157,7 @@ std::optional<SkewEstimate> estimate_skew(const SkewedScan& reference, const Ske
       without_origins(inverse(reference.world_from_sensor) * scan.world_from_sensor, scan.cloud, reference.cloud);
   double share = 0.5;
   std::optional<SkewEstimate> found;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxSkewIterations; ++iteration) {
     const std::vector<Row> rows = rows_at(reference, scan, T, share, voxel_size, num_threads);
     if (rows.size() < kMinPairs) return std::nullopt;
     const Step step = step_from(rows, kernel_width(rows, voxel_size));
@@ -165,7 +165,7 @@ std::optional<SkewEstimate> estimate_skew(const SkewedScan& reference, const Ske
     share += step.increment[6];
     if (!(std::abs(share) < kMaxShare)) return std::nullopt;
     found = {share, step.deviation};
-    if (step.increment.norm() < kMinStep) break;
+    if (step.increment.norm() < kMinSkewStep) break;
   }
   return found;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "augicp/geometry/rotation.h"
+#include "augicp/odometry/lidar_testing.h"
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
 #include "augicp/testing/scenes.h"
@@ -13,7 +14,9 @@
 namespace augicp {
 namespace {
 
-constexpr double kSweep_s = 0.1, kVoxel = 0.7;
+using testing::kSweep_s;
+
+constexpr double kSkewVoxel = 0.7;
 
 synthetic::Lidar lidar() {
   synthetic::Lidar lidar;
@@ -45,12 +48,12 @@ SkewedScan scan_of(const testing::Scene& scene, Kind kind, double begin_s, unsig
   const StampedPose before{middle_s - kSweep_s, motion(middle_s - kSweep_s)}, now{middle_s, motion(middle_s)};
   const SweepMotion during = motion_of_last(std::nullopt, before, now, kSweep_s);
   const Cloud cloud = kind == Kind::Deskewed ? without_skew(sweep.cloud, shares, during, 1) : sweep.cloud;
-  return skewed_scan(cloud, shares, during, now.world_from_camera, kVoxel);
+  return skewed_scan(cloud, shares, during, now.world_from_camera, kSkewVoxel);
 }
 
 std::optional<SkewEstimate> estimate(unsigned seed, Kind kind, int num_threads = 1) {
   const testing::Scene scene = synthetic::street(seed);
-  return estimate_skew(scan_of(scene, kind, 0.0, seed), scan_of(scene, kind, 0.5, seed + 1), kVoxel, num_threads);
+  return estimate_skew(scan_of(scene, kind, 0.0, seed), scan_of(scene, kind, 0.5, seed + 1), kSkewVoxel, num_threads);
 }
 
 TEST(SkewTrial, FindsWhichShareOfTheSkewScansHave) {
@@ -68,9 +71,9 @@ TEST(SkewTrial, HasNoAnswerWithoutPairs) {
   const SkewedScan scan = scan_of(scene, Kind::Measured, 0.0, 1);
   SkewedScan elsewhere = scan;
   elsewhere.world_from_sensor.translation.z() += 500.0;
-  EXPECT_FALSE(estimate_skew(scan, elsewhere, kVoxel, 1));
-  EXPECT_FALSE(estimate_skew(scan, {}, kVoxel, 1));
-  EXPECT_FALSE(estimate_skew({}, scan, kVoxel, 1));
+  EXPECT_FALSE(estimate_skew(scan, elsewhere, kSkewVoxel, 1));
+  EXPECT_FALSE(estimate_skew(scan, {}, kSkewVoxel, 1));
+  EXPECT_FALSE(estimate_skew({}, scan, kSkewVoxel, 1));
 }
 
 TEST(SkewTrial, IsTheSameOnAnyNumberOfThreads) {

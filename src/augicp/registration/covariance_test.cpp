@@ -13,11 +13,11 @@
 namespace augicp {
 namespace {
 
-const Rigid3 kMotion{rotation_exp({0.03, -0.03, 0.02}), {0.02, 0.03, -0.03}};
+const Rigid3 kDrawnMotion{rotation_exp({0.03, -0.03, 0.02}), {0.02, 0.03, -0.03}};
 
 AlignResult noisy(const testing::Scene& scene, unsigned seed, bool as_clouds = false) {
   const Rigid3& place = scene.world_from_camera;
-  const Scan source = testing::noisy_view(scene, place * kMotion, 2 * seed + 1, 80);
+  const Scan source = testing::noisy_view(scene, place * kDrawnMotion, 2 * seed + 1, 80);
   const Scan target = testing::noisy_view(scene, place, 2 * seed + 2, 80);
   return as_clouds ? register_scans(scan_of(source.cloud), scan_of(target.cloud)).result
                    : register_scans(source, target).result;
@@ -44,7 +44,7 @@ TEST(Covariance, TellsTheSpreadOfErrors) {
       const AlignResult result = noisy(testing::room(), seed, as_clouds);
       ASSERT_TRUE(result.covariance);
       told += *result.covariance / kRuns;
-      errors.push_back(increment_between(kMotion, result.target_from_source));
+      errors.push_back(increment_between(kDrawnMotion, result.target_from_source));
       mean += errors.back() / kRuns;
     }
     for (const Vec6d& error : errors) spread += (error - mean) * (error - mean).transpose() / (kRuns - 1);

@@ -20,7 +20,7 @@ namespace {
 
 using testing::NearPose;
 
-const Rigid3 kMotion{rotation_exp(Vec3d(0.02, -0.03, 0.05)), {0.02, -0.01, 0.01}};
+const Rigid3 kSmallMotion{rotation_exp(Vec3d(0.02, -0.03, 0.05)), {0.02, -0.01, 0.01}};
 
 synthetic::Object object_named(const std::string& name) {
   for (const synthetic::Object& object : synthetic::objects())
@@ -28,12 +28,12 @@ synthetic::Object object_named(const std::string& name) {
   throw std::invalid_argument(name);
 }
 
-// An object drawn twice, of which the source is moved by kMotion.
+// An object drawn twice, of which the source is moved by kSmallMotion.
 RawPair moved(const std::string& name, std::size_t num_points) {
   std::mt19937 generator(7);
   const synthetic::Object object = object_named(name);
   const Cloud source = synthetic::sampled(object, num_points, 0.0, generator);
-  return {scan_of(transform(source, inverse(kMotion))),
+  return {scan_of(transform(source, inverse(kSmallMotion))),
           scan_of(synthetic::sampled(object, num_points, 0.0, generator))};
 }
 
@@ -51,7 +51,7 @@ TEST(FinerBalls, HoldAChairThatWiderOnesLetSlide) {
   EXPECT_NEAR(registration.prepared.lengths.radius, 0.5 * derived_radius(chair), 1e-9);
   EXPECT_NEAR(registration.prepared.lengths.voxel_size, voxel_size_for(registration.prepared.lengths.radius), 1e-9);
   EXPECT_GT(registration.result.observability.weakest(), 1e-3);
-  EXPECT_THAT(registration.result.target_from_source, NearPose(kMotion, 5e-4, 5e-4));
+  EXPECT_THAT(registration.result.target_from_source, NearPose(kSmallMotion, 5e-4, 5e-4));
   EXPECT_EQ(registration.result.history.size(), static_cast<std::size_t>(registration.result.iterations));
 }
 
@@ -62,10 +62,10 @@ TEST(FinerBalls, APartIsOneInThemToo) {
     std::mt19937 generator(3);
     const Cloud side =
         synthetic::sampled_side(object_named("table"), 10000, 5e-4, towards_viewer.normalized(), 1.5, generator);
-    const RawPair pair{scan_of(transform(side, inverse(kMotion))), table.target};
+    const RawPair pair{scan_of(transform(side, inverse(kSmallMotion))), table.target};
     const Registration registration = registered(pair);
     EXPECT_NEAR(registration.prepared.lengths.radius, 0.5 * derived_radius(pair), 1e-9);
-    EXPECT_THAT(registration.result.target_from_source, NearPose(kMotion, 1e-3, 1e-3));
+    EXPECT_THAT(registration.result.target_from_source, NearPose(kSmallMotion, 1e-3, 1e-3));
   }
 }
 
@@ -73,12 +73,12 @@ TEST(FinerBalls, APartIsOneInThemToo) {
 TEST(FinerBalls, ShowTheSymmetryOfAStool) {
   const Registration registration = registered(moved("stool", 20000));
   EXPECT_EQ(registration.result.status, AlignStatus::Ambiguous);
-  EXPECT_THAT(registration.result.target_from_source, NearPose(kMotion, 5e-4, 5e-4));
+  EXPECT_THAT(registration.result.target_from_source, NearPose(kSmallMotion, 5e-4, 5e-4));
   EXPECT_FALSE(registration.result.runners_up.empty());
 }
 
 TEST(FinerBalls, AreNotAskedWhereTheFirstHoldAllMotions) {
-  const testing::ScanPair pair = testing::room_pair(kMotion);
+  const testing::ScanPair pair = testing::room_pair(kSmallMotion);
   const RawPair clouds{scan_of(pair.source.cloud), scan_of(pair.target.cloud)};
   const Registration registration = registered(clouds);
   ASSERT_EQ(registration.result.status, AlignStatus::Converged);

@@ -11,7 +11,7 @@ namespace augicp {
 namespace {
 
 // Columns of the images that the motion during a readout is found on. Its few numbers need no more.
-constexpr int kCoarseColumns = 160;
+constexpr int kReadoutColumns = 160;
 
 // The motion during a readout and the pose depend on each other; on fr1, a third round changes little.
 constexpr int kReadoutRounds = 2;
@@ -67,7 +67,7 @@ AlignResult without_bend(const ScanPair& pair, const Start& start, const Registr
   return at_full_resolution({source, target, pair.lengths}, start, options);
 }
 
-bool is_large(const Scan& image) { return step_for(image, kCoarseColumns) > 1; }
+bool is_large(const Scan& image) { return step_for(image, kReadoutColumns) > 1; }
 
 bool bends(const ScanPair& pair, const RegistrationOptions& options) {
   return options.rolling_shutter && pair.source.view->rolling_shutter && pair.target.view->rolling_shutter;
@@ -84,7 +84,7 @@ AlignResult from_start_of_images(const ScanPair& pair, const StartInTurn& start_
   Start start{start_in_turn.target_from_source, guess, {}, start_in_turn.turn};
   const bool begins_coarse = options.coarse_to_fine && (is_large(pair.source) || is_large(pair.target));
   const auto improved_start = [&] {
-    improve(coarser(pair, kCoarseColumns, 1.0, options.num_threads), bends(pair, options), options, start);
+    improve(coarser(pair, kReadoutColumns, 1.0, options.num_threads), bends(pair, options), options, start);
     return start;
   };
   if (bends(pair, options) || begins_coarse)

@@ -13,7 +13,7 @@
 namespace augicp {
 namespace {
 
-constexpr int kWidth = 200;
+constexpr int kGreyWidth = 200;
 constexpr double kGreyNoise = 0.01;
 
 using Brightness = double (*)(const Vec3d& point_in_world);
@@ -32,7 +32,7 @@ struct Exposure {
 
 Scan seen(const testing::Scene& scene, const Rigid3& world_from_camera, Brightness brightness,
           const Exposure& exposure) {
-  const Pinhole camera = testing::kinect_like_camera(kWidth);
+  const Pinhole camera = testing::kinect_like_camera(kGreyWidth);
   DepthImage depth = testing::render(scene, camera, camera.width, camera.height, world_from_camera).depth;
   const DepthImage exact = depth;
   testing::add_depth_noise(depth, testing::kKinectSigmaAt1m, exposure.seed);
@@ -48,13 +48,13 @@ Scan seen(const testing::Scene& scene, const Rigid3& world_from_camera, Brightne
   return scan_of(depth, grey, DepthCamera{camera, {}, 0.0});
 }
 
-const Rigid3 kMotion{Eigen::Quaterniond(Eigen::AngleAxisd(0.03, Vec3d(0.6, 0.0, 0.8))), {0.03, 0.02, 0.02}};
+const Rigid3 kSlidingMotion{Eigen::Quaterniond(Eigen::AngleAxisd(0.03, Vec3d(0.6, 0.0, 0.8))), {0.03, 0.02, 0.02}};
 
 AlignResult aligned(const testing::Scene& scene, Brightness brightness, bool intensity, double offset = 0.0) {
   const Rigid3& place = scene.world_from_camera;
   RegistrationOptions options;
   options.intensity = intensity;
-  return register_scans(seen(scene, place * kMotion, brightness, {offset, kGreyNoise, 2}),
+  return register_scans(seen(scene, place * kSlidingMotion, brightness, {offset, kGreyNoise, 2}),
                         seen(scene, place, brightness, {}), {}, options)
       .result;
 }
@@ -64,7 +64,7 @@ TEST(IntensityChannel, ATexturedWallIsHeldAndABareOneIsNot) {
   const AlignResult held = aligned(wall, blots, true);
   EXPECT_EQ(held.status, AlignStatus::Converged);
   EXPECT_GT(held.num_intensity_pairs, held.num_pairs / 10);
-  EXPECT_THAT(held.target_from_source, testing::NearPose(kMotion, 0.003, 0.005));
+  EXPECT_THAT(held.target_from_source, testing::NearPose(kSlidingMotion, 0.003, 0.005));
   EXPECT_TRUE(held.covariance.has_value());
 
   EXPECT_EQ(aligned(wall, blots, false).status, AlignStatus::Degenerate);
@@ -77,20 +77,20 @@ TEST(IntensityChannel, ATexturedWallIsHeldAndABareOneIsNot) {
 TEST(IntensityChannel, ATexturedWallOfBareCloudsIsHeldToo) {
   const testing::Scene wall = testing::single_plane();
   const Rigid3& place = wall.world_from_camera;
-  const Scan source = scan_of(seen(wall, place * kMotion, blots, {0.0, kGreyNoise, 2}).cloud),
+  const Scan source = scan_of(seen(wall, place * kSlidingMotion, blots, {0.0, kGreyNoise, 2}).cloud),
              target = scan_of(seen(wall, place, blots, {}).cloud);
   RegistrationOptions options;
   options.intensity = true;
   const AlignResult held = register_scans(source, target, {}, options).result;
   EXPECT_GT(held.num_intensity_pairs, held.num_pairs / 10);
-  EXPECT_THAT(held.target_from_source, testing::NearPose(kMotion, 0.005, 0.01));
+  EXPECT_THAT(held.target_from_source, testing::NearPose(kSlidingMotion, 0.005, 0.01));
   EXPECT_EQ(register_scans(source, target).result.status, AlignStatus::Degenerate);
 }
 
 TEST(IntensityChannel, AnotherExposureDoesNotMoveTheWall) {
   const AlignResult held = aligned(testing::single_plane(), blots, true, 0.15);
   EXPECT_EQ(held.status, AlignStatus::Converged);
-  EXPECT_THAT(held.target_from_source, testing::NearPose(kMotion, 0.003, 0.005));
+  EXPECT_THAT(held.target_from_source, testing::NearPose(kSlidingMotion, 0.003, 0.005));
 }
 
 // Up the ramp could as well be another exposure, and along it nothing changes.
@@ -101,7 +101,7 @@ TEST(IntensityChannel, AnEvenRampDoesNotHoldAWall) {
 TEST(IntensityChannel, OffItChangesNoBit) {
   const testing::Scene scene = testing::room_corner();
   const Rigid3& place = scene.world_from_camera;
-  Scan source = seen(scene, place * kMotion, blots, {}), target = seen(scene, place, blots, {});
+  Scan source = seen(scene, place * kSlidingMotion, blots, {}), target = seen(scene, place, blots, {});
   const AlignResult off = register_scans(source, target).result;
   source.cloud.intensities.clear();
   target.cloud.intensities.clear();
@@ -114,7 +114,7 @@ TEST(IntensityChannel, OffItChangesNoBit) {
 TEST(IntensityChannel, WhereOneScanHasNoneItIsAbsentAndSaysSo) {
   const testing::Scene scene = testing::room_corner();
   const Rigid3& place = scene.world_from_camera;
-  Scan source = seen(scene, place * kMotion, blots, {});
+  Scan source = seen(scene, place * kSlidingMotion, blots, {});
   const Scan target = seen(scene, place, blots, {});
   source.cloud.intensities.clear();
   RegistrationOptions with;
@@ -128,7 +128,8 @@ TEST(IntensityChannel, WhereOneScanHasNoneItIsAbsentAndSaysSo) {
 TEST(IntensityChannel, SameBitsForAnyNumberOfThreads) {
   const testing::Scene scene = testing::single_plane();
   const Rigid3& place = scene.world_from_camera;
-  const Scan source = seen(scene, place * kMotion, blots, {0.0, kGreyNoise, 2}), target = seen(scene, place, blots, {});
+  const Scan source = seen(scene, place * kSlidingMotion, blots, {0.0, kGreyNoise, 2}),
+             target = seen(scene, place, blots, {});
   std::vector<Mat4d> poses;
   for (const int num_threads : {1, 2, 3, 8}) {
     RegistrationOptions options;

@@ -16,8 +16,6 @@
 namespace augicp {
 namespace {
 
-constexpr double kBytesPerGb = 1e9;
-
 // Measured: the peak of `augicp surface` and `augicp align` on clouds of 1 to 5 million points
 // (docs/lab/first_hour.md). A point that was read: itself, and its place and order while voxels are formed. A point
 // that was kept: sums, shapes and directions. A neighbour: its index, in a list.

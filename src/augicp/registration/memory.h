@@ -46,6 +46,8 @@ class TooMuchMemory : public std::invalid_argument {
   EnoughMemory enough_;
 };
 
+inline constexpr double kBytesPerGb = 1e9;
+
 // The bound of an option max_memory_gb: half of the machine's memory if it is not set.
 double allowed_gb(const std::optional<double>& max_memory_gb);
 

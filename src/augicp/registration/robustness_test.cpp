@@ -16,7 +16,7 @@
 namespace augicp {
 namespace {
 
-const Rigid3 kMotion{Eigen::Quaterniond(Eigen::AngleAxisd(0.12, Vec3d(0.6, 0.64, 0.48))), {0.1, -0.05, 0.1}};
+const Rigid3 kLargeMotion{Eigen::Quaterniond(Eigen::AngleAxisd(0.12, Vec3d(0.6, 0.64, 0.48))), {0.1, -0.05, 0.1}};
 
 bool is_near(const Rigid3& found, const Rigid3& expected) {
   return angle_between(found, expected) < 0.05 && (found.translation - expected.translation).norm() < 0.1;
@@ -24,7 +24,7 @@ bool is_near(const Rigid3& found, const Rigid3& expected) {
 
 // The pair as bare clouds, the source corrupted. True if the pose is right.
 bool registers(const std::function<void(Cloud&, std::mt19937&)>& spoil) {
-  const testing::ScanPair pair = testing::room_pair(kMotion);
+  const testing::ScanPair pair = testing::room_pair(kLargeMotion);
   Cloud source = pair.source.cloud;
   std::mt19937 generator(5);
   spoil(source, generator);
@@ -79,7 +79,7 @@ TEST(Robustness13, AThirdMoves) {
 
 // Normals from the file, half of them flipped: without the sensor's position their sign has no meaning.
 TEST(Robustness13, NormalsTurnedRound) {
-  const testing::ScanPair pair = testing::room_pair(kMotion);
+  const testing::ScanPair pair = testing::room_pair(kLargeMotion);
   const Lengths lengths = lengths_for(pair.source, pair.target, {});
   Scan source = scan_of(prepare(pair.source, lengths, {}).cloud),
        target = scan_of(prepare(pair.target, lengths, {}).cloud);

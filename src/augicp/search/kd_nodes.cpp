@@ -16,7 +16,7 @@ using Items = std::span<Item>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
-std::uint32_t index_of(const Item& item) { return std::bit_cast<std::uint32_t>(item[3]); }
+std::uint32_t stored_index(const Item& item) { return std::bit_cast<std::uint32_t>(item[3]); }
 
 // The bounding box of some items; its fourth place has no meaning.
 struct Box {
@@ -104,7 +104,7 @@ std::array<Part, 2> halved(const Part& whole, std::size_t leaves_per_child) {
     halve(whole.items, middle, axis);
   else
     std::sort(whole.items.begin(), whole.items.end(),
-              [](const Item& a, const Item& b) { return index_of(a) < index_of(b); });
+              [](const Item& a, const Item& b) { return stored_index(a) < stored_index(b); });
   const Items low = whole.items.first(middle), high = whole.items.subspan(middle);
   return {Part{low, box_of(low)}, Part{high, box_of(high)}};
 }
@@ -148,7 +148,7 @@ class Builder {
 
   void set_child(std::uint32_t node, std::size_t slot, const Part& part) {
     std::uint32_t least_index = kNoIndex;
-    for (const Item& item : part.items) least_index = std::min(least_index, index_of(item));
+    for (const Item& item : part.items) least_index = std::min(least_index, stored_index(item));
     const std::uint32_t child = part.items.size() <= KdLeaf::kPoints ? add_leaf(part.items) : add_node(part);
     KdNode& parent = built_.nodes[node];
     parent.min_x[slot] = part.box.min[0], parent.max_x[slot] = part.box.max[0];
@@ -164,7 +164,7 @@ class Builder {
       const bool is_here = k < items.size();
       const Item item = is_here ? items[k] : FourFloats{} + kInfinity;
       leaf.x[k] = item[0], leaf.y[k] = item[1], leaf.z[k] = item[2];
-      leaf.index[k] = is_here ? index_of(item) : kNoIndex;
+      leaf.index[k] = is_here ? stored_index(item) : kNoIndex;
     }
     return static_cast<std::uint32_t>(built_.leaves.size() - 1) | KdNode::kIsLeaf;
   }

@@ -15,7 +15,7 @@ namespace {
 
 using testing::random_points;
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kAnyDistance = std::numeric_limits<float>::infinity();
 
 // All points, nearest first: the slow way to every query.
 std::vector<Neighbour> all_in_order(const Cloud& cloud, const Vec3f& query) {
@@ -29,12 +29,12 @@ std::vector<Neighbour> all_in_order(const Cloud& cloud, const Vec3f& query) {
   return all;
 }
 
-struct Case {
+struct OrderCase {
   std::string name;
   Cloud cloud;
 };
 
-Cloud scaled(Cloud cloud, float scale) {
+Cloud scaled_points(Cloud cloud, float scale) {
   for (Vec3f& point : cloud.points) point *= scale;
   return cloud;
 }
@@ -44,7 +44,7 @@ Cloud with(Cloud cloud, const std::vector<Vec3f>& points) {
   return cloud;
 }
 
-Cloud grid(int side) {
+Cloud square_grid(int side) {
   Cloud cloud;
   for (int i = 0; i < side * side * side; ++i)
     cloud.points.emplace_back(static_cast<float>(i % side), static_cast<float>(i / side % side),
@@ -67,16 +67,16 @@ Cloud on_a_line(int count) {
 }
 
 // Many kinds, and numbers of points around those at which leaves and nodes are full.
-std::vector<Case> clouds() {
-  std::vector<Case> cases{
-      {"grid", grid(9)},
+std::vector<OrderCase> clouds() {
+  std::vector<OrderCase> cases{
+      {"square_grid", square_grid(9)},
       {"every place five times", repeated(random_points(150, 1.0, 2), 5)},
       {"a heap among others", with(random_points(300, 1.0, 3), std::vector<Vec3f>(400, Vec3f(0.2f, 0.3f, 0.4f)))},
       {"a line", on_a_line(777)},
       {"far outliers", with(random_points(500, 1.0, 4), {{1e18f, -1e18f, 0.0f}, {-1e18f, 3.0f, 1e18f}})},
-      {"huge", scaled(random_points(500, 1.0, 5), 1e18f)},
-      {"squares overflow", scaled(random_points(500, 1.0, 6), 1e30f)},
-      {"tiny", scaled(random_points(500, 1.0, 7), 1e-30f)}};
+      {"huge", scaled_points(random_points(500, 1.0, 5), 1e18f)},
+      {"squares overflow", scaled_points(random_points(500, 1.0, 6), 1e30f)},
+      {"tiny", scaled_points(random_points(500, 1.0, 7), 1e-30f)}};
   for (int count : {1, 2, 3, 15, 16, 17, 31, 32, 33, 63, 64, 65, 255, 257, 1023})
     cases.push_back({std::to_string(count) + " points", random_points(static_cast<std::size_t>(count), 1.0, 8)});
   return cases;
@@ -114,12 +114,12 @@ TEST(KdTreeOrder, NearestIsTheFirstOfAll) {
     const KdTree tree(cloud);
     for (const Vec3f& query : queries_for(cloud)) {
       const Neighbour first = all_in_order(cloud, query).front();
-      const float above = std::nextafter(first.distance_sq, kFar);
+      const float above = std::nextafter(first.distance_sq, kAnyDistance);
       for (std::size_t k = 0; k < 6; ++k) {
         const auto likely = static_cast<std::uint32_t>(k * cloud.size() / 5);  // also none
         EXPECT_FALSE(tree.nearest(query, first.distance_sq, likely)) << name;
-        if (!(first.distance_sq < kFar)) continue;
-        for (float gate : {above, kFar}) {
+        if (!(first.distance_sq < kAnyDistance)) continue;
+        for (float gate : {above, kAnyDistance}) {
           const auto found = tree.nearest(query, gate, likely);
           ASSERT_TRUE(found) << name;
           EXPECT_EQ(found->index, first.index) << name;
@@ -133,8 +133,8 @@ TEST(KdTreeOrder, NearestIsTheFirstOfAll) {
 TEST(KdTreeOrder, QueriesThatAreNotFiniteFindNothing) {
   const Cloud cloud = random_points(100, 1.0, 10);
   const KdTree tree(cloud);
-  for (float odd : {std::nanf(""), -std::nanf(""), kFar, -kFar}) {
-    EXPECT_FALSE(tree.nearest({0.0f, odd, 0.0f}, kFar, 3));
+  for (float odd : {std::nanf(""), -std::nanf(""), kAnyDistance, -kAnyDistance}) {
+    EXPECT_FALSE(tree.nearest({0.0f, odd, 0.0f}, kAnyDistance, 3));
     EXPECT_TRUE(tree.nearest_k({0.0f, 0.0f, odd}, 5).empty());
   }
   EXPECT_FALSE(tree.nearest(cloud.points[0], std::nanf("")));
@@ -153,7 +153,7 @@ TEST(KdTreeOrder, HeapsOfEqualPointsCostNoMoreThanOthers) {
     const KdTree tree(cloud);
     const auto first = static_cast<std::uint32_t>(cloud.size() - kCount);
     for (std::size_t i = 0; i < kCount; ++i) {
-      ASSERT_EQ(tree.nearest(place, kFar)->index, first);
+      ASSERT_EQ(tree.nearest(place, kAnyDistance)->index, first);
       ASSERT_EQ(tree.nearest_k(place, 10).front().index, first);
     }
   }

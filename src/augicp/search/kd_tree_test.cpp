@@ -30,7 +30,7 @@ std::vector<float> sorted_distances_sq(const Cloud& cloud, const Vec3f& query) {
   return all;
 }
 
-struct Case {
+struct TreeCase {
   std::string name;
   Cloud cloud;
 };
@@ -62,7 +62,7 @@ Cloud with_outlier() {
   return cloud;
 }
 
-std::vector<Case> awkward_clouds() {
+std::vector<TreeCase> awkward_clouds() {
   return {{"random", random_points(2000, 1.0, 1)},
           {"empty", {}},
           {"one point", random_points(1, 1.0, 2)},

@@ -19,13 +19,13 @@ using testing::random_points;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kNumQueries = 200;
 
-struct Case {
+struct MemoryCase {
   std::string name;
   Cloud cloud;
   double extent;  // of the queries
 };
 
-Cloud grid() {
+Cloud remembered_grid() {
   Cloud cloud;
   for (int i = 0; i < 512; ++i)
     cloud.points.emplace_back(static_cast<float>(i % 8), static_cast<float>(i / 8 % 8), static_cast<float>(i / 64));
@@ -44,22 +44,22 @@ Cloud with_outliers() {
   return cloud;
 }
 
-Cloud scaled(Cloud cloud, float scale) {
+Cloud scaled_queries(Cloud cloud, float scale) {
   for (Vec3f& point : cloud.points) point *= scale;
   return cloud;
 }
 
-std::vector<Case> cases() {
+std::vector<MemoryCase> cases() {
   return {{"random", random_points(2000, 1.0, 3), 1.0},
-          {"ties", grid(), 8.0},
+          {"ties", remembered_grid(), 8.0},
           {"copies", with_copies(), 1.0},
           {"outliers", with_outliers(), 1.0},
           {"one point", random_points(1, 1.0, 4), 1.0},
           {"two points", random_points(2, 1.0, 5), 1.0},
           {"no point", {}, 1.0},
-          {"squares below float", scaled(random_points(300, 1.0, 6), 1e-21f), 1e-21},
-          {"squares hardly in float", scaled(random_points(300, 1.0, 6), 1e-22f), 1e-22},
-          {"squares above float", scaled(random_points(300, 1.0, 7), 3e19f), 3e19}};
+          {"squares below float", scaled_queries(random_points(300, 1.0, 6), 1e-21f), 1e-21},
+          {"squares hardly in float", scaled_queries(random_points(300, 1.0, 6), 1e-22f), 1e-22},
+          {"squares above float", scaled_queries(random_points(300, 1.0, 7), 3e19f), 3e19}};
 }
 
 void expect_same(const std::optional<Neighbour>& found, const std::optional<Neighbour>& expected,
@@ -71,11 +71,12 @@ void expect_same(const std::optional<Neighbour>& found, const std::optional<Neig
 }
 
 // Queries that come again and again, moved by hardly anything to everything, under gates that open and close.
-void expect_as_searched(const Case& of, unsigned seed) {
+void expect_as_searched(const MemoryCase& of, unsigned seed) {
   const KdTree tree(of.cloud);
   NearestMemory memory(tree, kNumQueries);
   std::mt19937 generator(seed);
-  std::vector<Vec3f> places = scaled(random_points(kNumQueries, 1.2, seed), static_cast<float>(of.extent)).points;
+  std::vector<Vec3f> places =
+      scaled_queries(random_points(kNumQueries, 1.2, seed), static_cast<float>(of.extent)).points;
   for (const double step : {1.0, 1e-3, 0.3, 0.03, 0.0, 1e-2, 1e-7, 0.1, 1e-4, 3.0, 1e-3}) {
     const double gate = of.extent * testing::uniform(generator, 0.0, 0.5);
     const float max_distance_sq = step == 0.03 ? kInfinity : static_cast<float>(gate * gate);
@@ -89,7 +90,7 @@ void expect_as_searched(const Case& of, unsigned seed) {
 }
 
 TEST(NearestMemory, FindsWhatASearchFinds) {
-  for (const Case& of : cases())
+  for (const MemoryCase& of : cases())
     for (unsigned seed : {11u, 12u, 13u}) expect_as_searched(of, seed);
 }
 

@@ -11,20 +11,20 @@
 namespace augicp {
 namespace {
 
-constexpr Pinhole kCamera{500.0, 400.0, 1.5, 1.0};
+constexpr Pinhole kTinyCamera{500.0, 400.0, 1.5, 1.0};
 const float kNaN = std::nanf("");
 
 TEST(DepthImage, PointsProjectBackToTheirPixels) {
   const DepthImage image{3, 2, {1.0f, 2.0f, kNaN, 0.0f, 3.0f, 0.5f}};
-  const OrganizedCloud seen = unproject(image, kCamera);
+  const OrganizedCloud seen = unproject(image, kTinyCamera);
   ASSERT_EQ(seen.cloud.size(), 4u);
   for (int v = 0; v < 2; ++v) {
     for (int u = 0; u < 3; ++u) {
       const std::int32_t i = seen.index.at(u, v);
       if (i == IndexImage::kNone) continue;
       const Vec3d p = seen.cloud.points[i].cast<double>();
-      EXPECT_NEAR(kCamera.fx * p.x() / p.z() + kCamera.cx, u, 1e-4);
-      EXPECT_NEAR(kCamera.fy * p.y() / p.z() + kCamera.cy, v, 1e-4);
+      EXPECT_NEAR(kTinyCamera.fx * p.x() / p.z() + kTinyCamera.cx, u, 1e-4);
+      EXPECT_NEAR(kTinyCamera.fy * p.y() / p.z() + kTinyCamera.cy, v, 1e-4);
       EXPECT_EQ(seen.cloud.points[i].z(), image.at(u, v));
     }
   }
@@ -32,26 +32,26 @@ TEST(DepthImage, PointsProjectBackToTheirPixels) {
 
 TEST(DepthImage, ReadingsThatAreNoneAreLeftOut) {
   const DepthImage image{3, 1, {kNaN, 0.0f, -1.0f}};
-  const OrganizedCloud seen = unproject(image, kCamera);
+  const OrganizedCloud seen = unproject(image, kTinyCamera);
   EXPECT_TRUE(seen.cloud.empty());
   EXPECT_EQ(seen.index.index, std::vector<std::int32_t>(3, IndexImage::kNone));
-  EXPECT_EQ(unproject({1, 1, {INFINITY}}, kCamera).cloud.size(), 0u);
+  EXPECT_EQ(unproject({1, 1, {INFINITY}}, kTinyCamera).cloud.size(), 0u);
 }
 
 TEST(DepthImage, RangeKeepsWhatIsInside) {
   const DepthImage image{3, 1, {0.4f, 1.0f, 5.0f}};
-  const OrganizedCloud seen = unproject(image, kCamera, {0.5, 4.5});
+  const OrganizedCloud seen = unproject(image, kTinyCamera, {0.5, 4.5});
   ASSERT_EQ(seen.cloud.size(), 1u);
   EXPECT_EQ(seen.cloud.points[0].z(), 1.0f);
 }
 
 TEST(DepthImage, WrongSizesAreRefused) {
-  Pinhole vga = kCamera;
+  Pinhole vga = kTinyCamera;
   vga.width = 640;
   vga.height = 480;
   EXPECT_THROW(unproject({1, 1, {1.0f}}, vga), std::invalid_argument);
-  EXPECT_THROW(unproject({2, 2, {1.0f}}, kCamera), std::invalid_argument);
-  EXPECT_NO_THROW(unproject({0, 0, {}}, kCamera));
+  EXPECT_THROW(unproject({2, 2, {1.0f}}, kTinyCamera), std::invalid_argument);
+  EXPECT_NO_THROW(unproject({0, 0, {}}, kTinyCamera));
 }
 
 TEST(DepthImage, ValuesAreDividedByTheScale) {

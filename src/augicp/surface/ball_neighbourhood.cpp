@@ -10,11 +10,12 @@
 #include "augicp/core/parallel.h"
 #include "augicp/search/kd_tree.h"
 #include "augicp/surface/ball_candidates.h"
+#include "augicp/surface/blocks.h"
 
 namespace augicp {
 namespace {
 
-constexpr std::size_t kCellsPerBlock = 64, kPointsPerBlock = 256;
+constexpr std::size_t kCellsPerBlock = 64;
 
 // Lists of neighbours take four bytes per entry. A ball of four voxels, as in registration, has at most 300 points. If
 // the average is much larger, the cloud was not downsampled, and its lists would fill the memory.

@@ -31,7 +31,7 @@ namespace {
 
 using namespace augicp::testing;
 
-constexpr double kRadius = 0.05;  // of the ball, metres
+constexpr double kEdgeRadius = 0.05;  // of the ball, metres
 constexpr double kMaxTangentErrorDeg = 5.0;
 constexpr double kMaxIncidenceDeg = 85.0;
 
@@ -54,14 +54,14 @@ bool is_straight_near(const Rendering& seen, const std::vector<Crease>& creases,
   for (const Crease& crease : creases) {
     if (same_tangent(crease.tangent(), nearest.tangent))
       along.push_back(crease);
-    else if (nearest_crease({crease}, point).distance <= kRadius)
+    else if (nearest_crease({crease}, point).distance <= kEdgeRadius)
       return false;
   }
   const auto goes_on = [&](double shift) {
     const Vec3d shifted = point + shift * nearest.tangent;
-    return in_image(seen, shifted) && nearest_crease(along, shifted).distance <= nearest.distance + 0.1 * kRadius;
+    return in_image(seen, shifted) && nearest_crease(along, shifted).distance <= nearest.distance + 0.1 * kEdgeRadius;
   };
-  return goes_on(kRadius) && goes_on(-kRadius);
+  return goes_on(kEdgeRadius) && goes_on(-kEdgeRadius);
 }
 
 // For every surface, whether the camera sees some of it at an angle that leaves its pixels together.
@@ -85,7 +85,7 @@ struct Truth {
 
 Truth edge_truth(const Scene& scene, const Rendering& seen) {
   const OrganizedCloud exact = unproject(seen.depth, seen.camera);
-  const std::vector<Crease> creases = visible_creases(scene, seen, kRadius);
+  const std::vector<Crease> creases = visible_creases(scene, seen, kEdgeRadius);
   const std::vector<bool> clear = clearly_seen(scene, seen, exact);
   std::vector<Crease> clear_creases;
   for (const Crease& crease : creases)
@@ -98,9 +98,9 @@ Truth edge_truth(const Scene& scene, const Rendering& seen) {
     const Vec3d point = exact.cloud.points[i].cast<double>();
     const NearestCrease nearest = nearest_crease(clear_creases, point);
     truth.tangents[i] = nearest.tangent;
-    if (nearest.distance <= kRadius && is_straight_near(seen, creases, nearest, point))
+    if (nearest.distance <= kEdgeRadius && is_straight_near(seen, creases, nearest, point))
       truth.places[i] = Place::Crease;
-    else if (nearest_crease(creases, point).distance > 2.0 * kRadius)
+    else if (nearest_crease(creases, point).distance > 2.0 * kEdgeRadius)
       truth.places[i] = beside[pixel] ? Place::BesideJump : Place::Plain;
   }
   return truth;
@@ -110,7 +110,7 @@ Cloud with_surface(DepthImage depth, double sigma_at_1m, const Pinhole& camera) 
   if (sigma_at_1m > 0.0) add_depth_noise(depth, sigma_at_1m, 1);
   OrganizedCloud seen = unproject(depth, camera);
   WindowOptions options;
-  options.radius = kRadius;
+  options.radius = kEdgeRadius;
   estimate_surface(seen.cloud, WindowNeighbourhood(seen.cloud, seen.index, options, 0), {}, 0);
   return seen.cloud;
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "augicp/core/parallel.h"
 #include "augicp/surface/arms.h"
+#include "augicp/surface/blocks.h"
 #include "augicp/surface/window_neighbourhood.h"
 
 namespace augicp {
 namespace {
-
-constexpr std::size_t kPointsPerBlock = 256;
 
 // The ray of a row that is nearest to the centre is not exactly the one in the centre's column.
 constexpr double kSlack = 1.5;

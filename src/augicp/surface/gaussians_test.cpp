@@ -17,9 +17,9 @@
 namespace augicp {
 namespace {
 
-constexpr double kRadius = 0.3;
+constexpr double kGaussianRadius = 0.3;
 
-Cloud in_balls(Cloud cloud, double radius = kRadius, int num_threads = 1) {
+Cloud with_gaussians(Cloud cloud, double radius = kGaussianRadius, int num_threads = 1) {
   estimate_gaussians(cloud, BallNeighbourhood(cloud, {radius, 0, 0.0}, num_threads), radius, num_threads);
   return cloud;
 }
@@ -42,13 +42,13 @@ Gaussian plain_gaussian(const Cloud& cloud, const Vec3f& centre, double radius) 
 }
 
 TEST(Gaussians, AreThoseOfThePointsInTheBall) {
-  const Cloud cloud = in_balls(testing::random_points(2000, 1.0, 1));
+  const Cloud cloud = with_gaussians(testing::random_points(2000, 1.0, 1));
   std::size_t num_compared = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Gaussian plain = plain_gaussian(cloud, cloud.points[i], kRadius);
+    const Gaussian plain = plain_gaussian(cloud, cloud.points[i], kGaussianRadius);
     if (plain.count < 8.0) continue;
     ++num_compared;
-    const Mat3d expected = 0.25 * kRadius * kRadius * plain.covariance.inverse();
+    const Mat3d expected = 0.25 * kGaussianRadius * kGaussianRadius * plain.covariance.inverse();
     EXPECT_LT((cloud.gaussians[i].mean.cast<double>() - plain.mean).norm(), 1e-6) << i;
     EXPECT_LT(relative_difference(cloud.gaussians[i].information, expected.cast<float>()), 1e-4) << i;
   }
@@ -56,14 +56,14 @@ TEST(Gaussians, AreThoseOfThePointsInTheBall) {
 }
 
 // Flat, 2 x 2 m: inside it every ball holds a disc.
-Cloud sheet(std::size_t count, unsigned seed) {
+Cloud flat_points(std::size_t count, unsigned seed) {
   Cloud cloud = testing::random_points(count, 1.0, seed);
   for (Vec3f& point : cloud.points) point.z() = 0.5f;
   return cloud;
 }
 
 TEST(Gaussians, ADiscHasTheInformationOfTable2) {
-  const Cloud cloud = in_balls(sheet(4000, 2));
+  const Cloud cloud = with_gaussians(flat_points(4000, 2));
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.points[i].head<2>().cwiseAbs().maxCoeff() > 0.7f) continue;
     const Mat3d information = cloud.gaussians[i].information.cast<double>();
@@ -83,21 +83,21 @@ TEST(Gaussians, FewOrEqualPointsHaveNone) {
   Cloud equal;
   equal.points.assign(100, Vec3f(1.0f, 2.0f, 3.0f));
   for (const Cloud& cloud : {few, equal})
-    for (const PointGaussian& gaussian : in_balls(cloud).gaussians) {
+    for (const PointGaussian& gaussian : with_gaussians(cloud).gaussians) {
       EXPECT_TRUE(gaussian.information.isZero(0.0f));
       EXPECT_TRUE(gaussian.mean.allFinite());
     }
-  EXPECT_TRUE(in_balls(Cloud{}).gaussians.empty());
+  EXPECT_TRUE(with_gaussians(Cloud{}).gaussians.empty());
 }
 
 TEST(Gaussians, MoveWithTheCloudAndDoNotDependOnTheUnitOfLength) {
-  const Cloud cloud = testing::random_points(800, 1.0, 3), expected = in_balls(cloud);
+  const Cloud cloud = testing::random_points(800, 1.0, 3), expected = with_gaussians(cloud);
   std::mt19937 generator(3);
   const Rigid3 motion = testing::random_motion(generator, 2.0, 0.0);
-  const Cloud moved = in_balls(transform(cloud, motion)), also_moved = transform(expected, motion);
+  const Cloud moved = with_gaussians(transform(cloud, motion)), also_moved = transform(expected, motion);
   Cloud large = cloud;
   for (Vec3f& point : large.points) point *= 64.0f;
-  large = in_balls(large, 64.0 * kRadius);
+  large = with_gaussians(large, 64.0 * kGaussianRadius);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (expected.gaussians[i].information.isZero(0.0f)) continue;
     EXPECT_LT((moved.gaussians[i].mean - also_moved.gaussians[i].mean).norm(), 1e-5f) << i;
@@ -128,7 +128,7 @@ TEST(Gaussians, SameBitsForAnyNumberOfThreads) {
 
 TEST(Gaussians, BadRadiusIsRefused) {
   Cloud cloud = testing::random_points(10, 1.0, 4);
-  const BallNeighbourhood neighbourhood(cloud, {kRadius, 0, 0.0}, 1);
+  const BallNeighbourhood neighbourhood(cloud, {kGaussianRadius, 0, 0.0}, 1);
   for (double radius : {0.0, -1.0, std::nan("")})
     EXPECT_THROW(estimate_gaussians(cloud, neighbourhood, radius, 1), std::invalid_argument);
 }

@@ -11,6 +11,7 @@
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 #include "augicp/search/kd_tree.h"
+#include "augicp/surface/blocks.h"
 
 namespace augicp {
 namespace {
@@ -19,7 +20,6 @@ constexpr std::size_t kNumNeighbours = 20;  // including the point itself
 constexpr std::size_t kMinNeighbours =
     6;                          // a slope and its height are three numbers; three more show how well they fit
 constexpr int kHalfWindow = 2;  // images: a window of 25 pixels
-constexpr std::size_t kPointsPerBlock = 256, kRowsPerBlock = 8;
 
 // A slope counts if each of its two numbers explains this many times the residual variance. Noise passes in about one
 // case in a thousand (the percentile of the F distribution with 2 and 17 degrees of freedom). Those that pass are the

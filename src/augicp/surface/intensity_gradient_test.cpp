@@ -14,7 +14,7 @@
 namespace augicp {
 namespace {
 
-constexpr double kRadius = 0.1;
+constexpr double kGradientRadius = 0.1;
 
 // Random points of a square metre of the plane x = (a, b, 0), moved, with a brightness of (a, b).
 template <typename Brightness>
@@ -37,7 +37,7 @@ TEST(IntensityGradient, IsExactForALinearBrightnessOnAPlane) {
   for (const Rigid3& motion : testing::awkward_poses()) {
     if (motion.translation.norm() > 10.0) continue;  // float is too coarse there: clouds have an origin
     Cloud cloud = plane(motion, ramp);
-    estimate_intensity_gradients(cloud, kRadius, 1);
+    estimate_intensity_gradients(cloud, kGradientRadius, 1);
     const Vec3d expected = motion.rotation * Vec3d(2.0, -3.0, 0.0);
     for (const Vec3f& gradient : cloud.intensity_gradients)
       EXPECT_THAT(gradient.cast<double>(), testing::NearVector(expected, 2e-3));
@@ -46,14 +46,14 @@ TEST(IntensityGradient, IsExactForALinearBrightnessOnAPlane) {
 
 TEST(IntensityGradient, LiesInTheTangentPlane) {
   Cloud cloud = plane(Rigid3{}, [](double a, double b) { return std::sin(9.0 * a) * std::cos(7.0 * b); });
-  estimate_intensity_gradients(cloud, kRadius, 1);
+  estimate_intensity_gradients(cloud, kGradientRadius, 1);
   for (std::size_t i = 0; i < cloud.size(); ++i)
     EXPECT_NEAR(cloud.intensity_gradients[i].dot(cloud.directions[i]), 0.0, 1e-5);
 }
 
 TEST(IntensityGradient, IsZeroWhereNothingIsKnown) {
   Cloud even = plane(Rigid3{}, [](double, double) { return 5.0; });
-  estimate_intensity_gradients(even, kRadius, 1);
+  estimate_intensity_gradients(even, kGradientRadius, 1);
   for (const Vec3f& gradient : even.intensity_gradients) EXPECT_TRUE(gradient.isZero(0.0f));
 
   Cloud sparse = plane(Rigid3{}, ramp);
@@ -66,7 +66,7 @@ TEST(IntensityGradient, IsZeroWhereNothingIsKnown) {
   edges.structures[0] = Structure::Edge;
   edges.structures[1] = Structure::None;
   edges.intensities[2] = std::numeric_limits<float>::quiet_NaN();
-  estimate_intensity_gradients(edges, kRadius, 1);
+  estimate_intensity_gradients(edges, kGradientRadius, 1);
   for (std::size_t i : {0u, 1u, 2u}) EXPECT_TRUE(edges.intensity_gradients[i].isZero(0.0f));
   for (std::size_t i = 3; i < edges.size(); ++i) EXPECT_GT(edges.intensity_gradients[i].norm(), 1.0f);
 }
@@ -75,7 +75,7 @@ TEST(IntensityGradient, IsZeroOnALine) {
   Cloud line = plane(Rigid3{}, ramp, 50);
   for (std::size_t i = 0; i < line.size(); ++i) line.points[i] = Vec3f(0.001f * static_cast<float>(i), 0.0f, 0.0f);
   for (std::size_t i = 0; i < line.size(); ++i) line.intensities[i] = static_cast<float>(i);
-  estimate_intensity_gradients(line, kRadius, 1);
+  estimate_intensity_gradients(line, kGradientRadius, 1);
   for (const Vec3f& gradient : line.intensity_gradients) EXPECT_TRUE(gradient.isZero(0.0f));
 }
 
@@ -84,7 +84,7 @@ TEST(IntensityGradient, NoiseIsHardlyEverTakenForTexture) {
   std::mt19937 generator(8);
   std::normal_distribution<double> noise(0.0, 1.0);
   Cloud cloud = plane(Rigid3{}, [&](double, double) { return noise(generator); });
-  estimate_intensity_gradients(cloud, kRadius, 1);
+  estimate_intensity_gradients(cloud, kGradientRadius, 1);
   EXPECT_LT(std::count_if(cloud.intensity_gradients.begin(), cloud.intensity_gradients.end(),
                           [](const Vec3f& gradient) { return !gradient.isZero(0.0f); }),
             15);  // of 2000
@@ -96,13 +96,13 @@ TEST(IntensityGradient, OrderOfThePointsAndNumberOfThreadsDoNotMatter) {
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::shuffle(order.begin(), order.end(), std::mt19937(5));
   Cloud shuffled = select(cloud, order);
-  estimate_intensity_gradients(cloud, kRadius, 1);
+  estimate_intensity_gradients(cloud, kGradientRadius, 1);
   for (int num_threads = 1; num_threads <= 8; ++num_threads) {
     Cloud again = cloud;
-    estimate_intensity_gradients(again, kRadius, num_threads);
+    estimate_intensity_gradients(again, kGradientRadius, num_threads);
     EXPECT_EQ(again.intensity_gradients, cloud.intensity_gradients);
   }
-  estimate_intensity_gradients(shuffled, kRadius, 1);
+  estimate_intensity_gradients(shuffled, kGradientRadius, 1);
   for (std::size_t i = 0; i < order.size(); ++i)
     EXPECT_LE((shuffled.intensity_gradients[i] - cloud.intensity_gradients[order[i]]).norm(), 1e-4f);
 }
@@ -121,25 +121,25 @@ TEST(IntensityGradient, OnAnImageItIsExactTooAndTheSameOnAnyNumberOfThreads) {
       cloud.intensities.push_back(static_cast<float>(ramp(0.005 * u, 0.005 * v)));
     }
   cloud.structures[5] = Structure::Edge;
-  estimate_intensity_gradients(cloud, seen, kRadius, 1);
+  estimate_intensity_gradients(cloud, seen, kGradientRadius, 1);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Vec3d expected = i == 5 ? Vec3d::Zero() : Vec3d(2.0, -3.0, 0.0);
     EXPECT_THAT(cloud.intensity_gradients[i].cast<double>(), testing::NearVector(expected, 2e-3));
   }
   Cloud again = cloud;
-  estimate_intensity_gradients(again, seen, kRadius, 3);
+  estimate_intensity_gradients(again, seen, kGradientRadius, 3);
   EXPECT_EQ(again.intensity_gradients, cloud.intensity_gradients);
   again.directions.clear();
-  EXPECT_THROW(estimate_intensity_gradients(again, seen, kRadius, 1), std::invalid_argument);
+  EXPECT_THROW(estimate_intensity_gradients(again, seen, kGradientRadius, 1), std::invalid_argument);
 }
 
 TEST(IntensityGradient, BadInputIsRefused) {
   Cloud cloud = plane(Rigid3{}, ramp, 20);
   EXPECT_THROW(estimate_intensity_gradients(cloud, 0.0, 1), std::invalid_argument);
   cloud.intensities.clear();
-  EXPECT_THROW(estimate_intensity_gradients(cloud, kRadius, 1), std::invalid_argument);
+  EXPECT_THROW(estimate_intensity_gradients(cloud, kGradientRadius, 1), std::invalid_argument);
   Cloud empty;
-  estimate_intensity_gradients(empty, kRadius, 1);
+  estimate_intensity_gradients(empty, kGradientRadius, 1);
   EXPECT_TRUE(empty.intensity_gradients.empty());
 }
 

@@ -7,11 +7,10 @@
 #include "augicp/core/check.h"
 #include "augicp/core/parallel.h"
 #include "augicp/surface/arms.h"
+#include "augicp/surface/blocks.h"
 
 namespace augicp {
 namespace {
-
-constexpr std::size_t kRowsPerBlock = 8;
 
 // Column (v * (width + 1) + u) is the sum over the pixels above and left of (u, v).
 Channels integral_image(const IndexImage& index, const Channels& values) {

@@ -20,7 +20,7 @@ namespace {
 
 using namespace augicp::testing;
 
-WindowOptions options_with(double radius) {
+WindowOptions windows_of_radius(double radius) {
   WindowOptions options;
   options.radius = radius;
   return options;
@@ -60,7 +60,7 @@ Eigen::ArrayXd sum_over_arms(const IndexImage& index, const std::vector<Arms>& a
 TEST(WindowNeighbourhood, SumsExactlyOverItsArms) {
   for (const Scene& scene : {box_on_table(), wire(), depth_step()}) {
     const OrganizedCloud seen = seen_with_holes(scene, 160);
-    const WindowNeighbourhood windows(seen.cloud, seen.index, options_with(0.05), 0);
+    const WindowNeighbourhood windows(seen.cloud, seen.index, windows_of_radius(0.05), 0);
     const Channels values = random_channels(seen.cloud.size());
     const Channels sums = windows.sum(values, 0);
     for (int v = 0; v < seen.index.height; ++v) {
@@ -96,7 +96,7 @@ TEST(WindowNeighbourhood, AgreesWithTheExactBall) {
   for (const auto& [sigma_at_1m, max_angle_deg] : {std::pair{0.0, 1.0}, {kKinectSigmaAt1m, 5.0}}) {
     for (const Scene& scene : {box_on_table(), depth_step()}) {
       OrganizedCloud fast = seen_with_holes(scene, 160, sigma_at_1m), exact = fast;
-      const WindowOptions options = options_with(0.05);
+      const WindowOptions options = windows_of_radius(0.05);
       estimate_surface(fast.cloud, WindowNeighbourhood(fast.cloud, fast.index, options, 0), {}, 0);
       estimate_surface(exact.cloud, ExactWindowNeighbourhood(exact.cloud, exact.index, options, 0), {}, 0);
       const Agreement found = agreement(fast.cloud, exact.cloud, max_angle_deg);
@@ -115,18 +115,21 @@ TEST(WindowNeighbourhood, HolesDoNotBreakAWindow) {
   const OrganizedCloud whole = unproject(seen.depth, seen.camera), part = unproject(with_holes, seen.camera);
   const auto count_at = [](const OrganizedCloud& image, int u, int v) {
     const Channels ones = Channels::Ones(1, static_cast<Eigen::Index>(image.cloud.size()));
-    return WindowNeighbourhood(image.cloud, image.index, options_with(0.3), 0).sum(ones, 0)(image.index.at(u, v));
+    return WindowNeighbourhood(image.cloud, image.index, windows_of_radius(0.3), 0).sum(ones, 0)(image.index.at(u, v));
   };
   EXPECT_NEAR(count_at(part, 41, 30) / count_at(whole, 41, 30), 0.75, 0.06);
 }
 
 TEST(WindowNeighbourhood, EmptyImageAndSinglePixel) {
   const OrganizedCloud nothing;
-  EXPECT_EQ(WindowNeighbourhood(nothing.cloud, nothing.index, options_with(0.1), 0).sum(Channels(2, 0), 0).cols(), 0);
+  EXPECT_EQ(WindowNeighbourhood(nothing.cloud, nothing.index, windows_of_radius(0.1), 0).sum(Channels(2, 0), 0).cols(),
+            0);
   const OrganizedCloud pixel = unproject({1, 1, {2.0f}}, {500.0, 500.0, 0.0, 0.0, 1, 1});
-  EXPECT_EQ(WindowNeighbourhood(pixel.cloud, pixel.index, options_with(0.1), 0).sum(Channels::Ones(1, 1), 0)(0), 1.0);
-  EXPECT_EQ(ExactWindowNeighbourhood(pixel.cloud, pixel.index, options_with(0.1), 0).sum(Channels::Ones(1, 1), 0)(0),
+  EXPECT_EQ(WindowNeighbourhood(pixel.cloud, pixel.index, windows_of_radius(0.1), 0).sum(Channels::Ones(1, 1), 0)(0),
             1.0);
+  EXPECT_EQ(
+      ExactWindowNeighbourhood(pixel.cloud, pixel.index, windows_of_radius(0.1), 0).sum(Channels::Ones(1, 1), 0)(0),
+      1.0);
 }
 
 TEST(WindowNeighbourhood, RefusesBadOptions) {
@@ -143,12 +146,12 @@ TEST(WindowNeighbourhood, RefusesBadOptions) {
 TEST(WindowNeighbourhood, ThreadsDoNotChangeTheBits) {
   const OrganizedCloud seen = seen_with_holes(box_on_table(), 80);
   const Channels values = random_channels(seen.cloud.size());
-  const Channels fast = WindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), 1).sum(values, 1);
-  const Channels exact = ExactWindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), 1).sum(values, 1);
+  const Channels fast = WindowNeighbourhood(seen.cloud, seen.index, windows_of_radius(0.05), 1).sum(values, 1);
+  const Channels exact = ExactWindowNeighbourhood(seen.cloud, seen.index, windows_of_radius(0.05), 1).sum(values, 1);
   for (int n : {2, 3, 8}) {
-    EXPECT_TRUE((WindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), n).sum(values, n) == fast).all());
+    EXPECT_TRUE((WindowNeighbourhood(seen.cloud, seen.index, windows_of_radius(0.05), n).sum(values, n) == fast).all());
     EXPECT_TRUE(
-        (ExactWindowNeighbourhood(seen.cloud, seen.index, options_with(0.05), n).sum(values, n) == exact).all());
+        (ExactWindowNeighbourhood(seen.cloud, seen.index, windows_of_radius(0.05), n).sum(values, n) == exact).all());
   }
 }
 
@@ -158,7 +161,7 @@ TEST(WindowNeighbourhood, TheExactOneIsTheBallWhereNothingIsCutOff) {
   const double radius = 0.3;
   const auto size = static_cast<Eigen::Index>(wall.cloud.size());
   const Channels found =
-      ExactWindowNeighbourhood(wall.cloud, wall.index, options_with(radius), 1).sum(Channels::Ones(1, size), 1);
+      ExactWindowNeighbourhood(wall.cloud, wall.index, windows_of_radius(radius), 1).sum(Channels::Ones(1, size), 1);
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto is_near = [&](const Vec3f& point) {
       return static_cast<double>((point - wall.cloud.points[i]).norm()) <= radius;

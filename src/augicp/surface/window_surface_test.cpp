@@ -18,7 +18,7 @@ namespace {
 
 using namespace augicp::testing;
 
-WindowOptions options_with(double radius) {
+WindowOptions surface_options(double radius) {
   WindowOptions options;
   options.radius = radius;
   return options;
@@ -35,13 +35,13 @@ OrganizedCloud seen_in(const Scene& scene, int width, double sigma_at_1m, double
 
 Cloud fast(const OrganizedCloud& seen, double radius, const SurfaceOptions& options = {}, int num_threads = 0) {
   Cloud cloud = seen.cloud;
-  estimate_surface(cloud, seen.index, options_with(radius), options, num_threads);
+  estimate_surface(cloud, seen.index, surface_options(radius), options, num_threads);
   return cloud;
 }
 
 Cloud plain(const OrganizedCloud& seen, double radius, const SurfaceOptions& options = {}) {
   Cloud cloud = seen.cloud;
-  estimate_surface(cloud, WindowNeighbourhood(seen.cloud, seen.index, options_with(radius), 0), options, 0);
+  estimate_surface(cloud, WindowNeighbourhood(seen.cloud, seen.index, surface_options(radius), 0), options, 0);
   return cloud;
 }
 
@@ -145,7 +145,7 @@ TEST(WindowSurface, PointsWithoutAPixelHaveNoStructure) {
 
 TEST(WindowSurface, RefusesBadOptions) {
   OrganizedCloud nothing;
-  EXPECT_THROW(estimate_surface(nothing.cloud, nothing.index, options_with(0.0), {}, 1), std::invalid_argument);
+  EXPECT_THROW(estimate_surface(nothing.cloud, nothing.index, surface_options(0.0), {}, 1), std::invalid_argument);
 }
 
 TEST(WindowSurface, ThreadsDoNotChangeTheBits) {

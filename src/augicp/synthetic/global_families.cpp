@@ -18,8 +18,6 @@ namespace {
 
 using testing::Scene;
 
-unsigned some_seed(std::mt19937& generator) { return static_cast<unsigned>(generator()); }
-
 Vec3d uniform_in(const Vec3d& low, const Vec3d& high, std::mt19937& generator) {
   const double x = uniform(generator, low.x(), high.x()), y = uniform(generator, low.y(), high.y());
   return {x, y, uniform(generator, low.z(), high.z())};
@@ -134,7 +132,7 @@ DrawnPair objects_apart(unsigned seed) {
   return {std::move(source), std::move(target), std::nullopt};
 }
 
-Lidar some_lidar(std::mt19937& generator) {
+Lidar street_lidar(std::mt19937& generator) {
   Lidar lidar;
   lidar.num_rings = generator() % 2 == 0 ? 32 : 64;
   lidar.num_azimuths = 900;
@@ -145,7 +143,7 @@ Lidar some_lidar(std::mt19937& generator) {
 DrawnPair street_pair(unsigned seed) {
   std::mt19937 generator(seed);
   const Scene scene = street(some_seed(generator));
-  const Lidar lidar = some_lidar(generator);
+  const Lidar lidar = street_lidar(generator);
   const double along = uniform(generator, 2.0, 10.0), beside = uniform(generator, -0.5, 0.5);
   const Vec3d turn(0.0, 0.0, uniform(generator, -180.0, 180.0) * kRadPerDeg);
   const Rigid3 motion{rotation_exp(turn), {along, beside, 0.0}};
@@ -158,7 +156,7 @@ DrawnPair streets_apart(unsigned seed) {
   std::mt19937 generator(seed);
   const auto some_scan = [&] {
     const Scene scene = street(some_seed(generator));
-    const Lidar lidar = some_lidar(generator);
+    const Lidar lidar = street_lidar(generator);
     return scan(scene, lidar, scene.world_from_camera, some_seed(generator));
   };
   Cloud source = some_scan(), target = some_scan();

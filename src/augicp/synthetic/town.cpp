@@ -14,13 +14,13 @@
 namespace augicp::synthetic {
 namespace {
 
-constexpr double kSensorHeight = 1.73;  // metres, on a car's roof
-constexpr double kCurveRadius = 10.0;   // of the road's centre line
-constexpr double kSideRatio = 0.6;      // of the block's short side by its long one
-constexpr double kLane = 1.75;          // from the centre line to the middle of a lane
-constexpr double kHalfStreet = 7.0;     // from the centre line to the nearest houses
-constexpr double kBrakingWay = 15.0;    // before and after a curve
-constexpr double kStep = 0.1;           // of the table of times, metres along the road
+constexpr double kRoofSensorHeight = 1.73;  // metres, on a car's roof
+constexpr double kCurveRadius = 10.0;       // of the road's centre line
+constexpr double kSideRatio = 0.6;          // of the block's short side by its long one
+constexpr double kLane = 1.75;              // from the centre line to the middle of a lane
+constexpr double kHalfStreet = 7.0;         // from the centre line to the nearest houses
+constexpr double kBrakingWay = 15.0;        // before and after a curve
+constexpr double kStep = 0.1;               // of the table of times, metres along the road
 
 // The centre line: counterclockwise, from the middle of the first long side, which runs along x.
 class Road {
@@ -193,7 +193,7 @@ TownLoop town_loop(const TownOptions& options) {
   TownLoop loop;
   loop.lap_s = timetable->lap_s();
   loop.world_from_sensor = [=](double time_s) {
-    const Rigid3 on_roof{Eigen::Quaterniond::Identity(), {0.0, -kLane, kSensorHeight}};
+    const Rigid3 on_roof{Eigen::Quaterniond::Identity(), {0.0, -kLane, kRoofSensorHeight}};
     return road.at(timetable->distance_at(time_s)) * on_roof;
   };
   loop.world.scene.world_from_camera = loop.world_from_sensor(0.0);

@@ -19,8 +19,6 @@ namespace {
 
 using testing::Scene;
 
-unsigned some_seed(std::mt19937& generator) { return static_cast<unsigned>(generator()); }
-
 template <typename T, std::size_t kCount>
 T drawn_from(const T (&choices)[kCount], std::mt19937& generator) {
   return choices[generator() % kCount];

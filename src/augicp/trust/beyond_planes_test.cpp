@@ -12,7 +12,7 @@
 namespace augicp {
 namespace {
 
-constexpr AgreementTolerance kTolerance{.distance = 0.02, .per_depth = 0.0};
+constexpr AgreementTolerance kPlaneTolerance{.distance = 0.02, .per_depth = 0.0};
 constexpr int kPointsPerPlane = 500;
 
 void add(Cloud& cloud, const Vec3d& point, const Vec3d& direction, Structure structure) {
@@ -49,14 +49,14 @@ std::vector<std::uint32_t> all_of(const Cloud& cloud) {
 TEST(BeyondPlanes, ACornerHasNothing) {
   std::mt19937 generator(1);
   const Cloud cloud = corner(generator);
-  EXPECT_LT(share_beyond_planes(cloud, all_of(cloud), kTolerance), 0.005);
+  EXPECT_LT(share_beyond_planes(cloud, all_of(cloud), kPlaneTolerance), 0.005);
 }
 
 TEST(BeyondPlanes, AFourthPlaneIsBeyond) {
   std::mt19937 generator(2);
   Cloud cloud = corner(generator);
   add_plane(cloud, kAxes * Vec3d::Ones().normalized(), kAxes * Vec3d(5, 5, 5), generator);
-  EXPECT_NEAR(share_beyond_planes(cloud, all_of(cloud), kTolerance), 0.25, 0.01);
+  EXPECT_NEAR(share_beyond_planes(cloud, all_of(cloud), kPlaneTolerance), 0.25, 0.01);
 }
 
 TEST(BeyondPlanes, AreFoundAmongAnyOtherPoints) {
@@ -66,15 +66,15 @@ TEST(BeyondPlanes, AreFoundAmongAnyOtherPoints) {
   for (int k = 0; k < kOthers; ++k)
     add(cloud, Vec3d(9, 9, 9) + testing::random_direction(generator), Vec3d::UnitX(), Structure::None);
   const double share = static_cast<double>(kOthers) / static_cast<double>(cloud.size());
-  EXPECT_NEAR(share_beyond_planes(cloud, all_of(cloud), kTolerance), share, 0.005);
+  EXPECT_NEAR(share_beyond_planes(cloud, all_of(cloud), kPlaneTolerance), share, 0.005);
 }
 
 TEST(BeyondPlanes, WithoutPlanesEverythingIs) {
-  EXPECT_EQ(share_beyond_planes({}, {}, kTolerance), 1.0);
+  EXPECT_EQ(share_beyond_planes({}, {}, kPlaneTolerance), 1.0);
   std::mt19937 generator(4);
   Cloud cloud;
   for (int k = 0; k < 100; ++k) add(cloud, testing::random_direction(generator), Vec3d::UnitX(), Structure::None);
-  EXPECT_EQ(share_beyond_planes(cloud, all_of(cloud), kTolerance), 1.0);
+  EXPECT_EQ(share_beyond_planes(cloud, all_of(cloud), kPlaneTolerance), 1.0);
 }
 
 // Seen from the origin, what is a centimetre off agrees at 2 m and differs at 0.5 m.
@@ -104,7 +104,7 @@ TEST(AgreeingPoints, AreOnTheSurfaceAndTurnedAlike) {
   add_pair({0.3, 0.0, 0.0}, z, Structure::None);
   std::vector<Correspondence> pairs;
   for (std::uint32_t i = 0; i < source.size(); ++i) pairs.push_back({i, i});
-  EXPECT_EQ(agreeing_points({source, target, pairs, {}}, kTolerance), (std::vector<std::uint32_t>{0, 3}));
+  EXPECT_EQ(agreeing_points({source, target, pairs, {}}, kPlaneTolerance), (std::vector<std::uint32_t>{0, 3}));
 }
 
 // Three planes, and clutter of a fifth of the points.
@@ -115,7 +115,7 @@ TEST(LargePlanes, AreWhereTheWallsAre) {
   for (int k = 0; k < 300; ++k)
     add(room, kAxes * Vec3d(0.6, 0.6, 0.6) + 0.4 * testing::random_direction(generator),
         testing::random_direction(generator), Structure::Planar);
-  const std::vector<bool> is_on = on_large_planes(room, kTolerance.distance);
+  const std::vector<bool> is_on = on_large_planes(room, kPlaneTolerance.distance);
   const auto first_off = is_on.begin() + static_cast<std::ptrdiff_t>(num_on_walls);
   EXPECT_GT(std::count(is_on.begin(), first_off, true), 0.99 * static_cast<double>(num_on_walls));
   EXPECT_LT(std::count(first_off, is_on.end(), true), 60);  // the planes cross the clutter

@@ -52,7 +52,7 @@ Buckets in_buckets(const Cloud& target, std::span<const Correspondence> pairs, d
 }
 
 // This many source points give the curvature to a few hundredths.
-constexpr std::size_t kNumAsked = 4096;
+constexpr std::size_t kNumPointsAsked = 4096;
 
 // Small against the ball of a point's direction, large against the jumps of single pairs.
 constexpr double kStepPerLength = 0.05;
@@ -63,7 +63,7 @@ Mat6d curvature(const Matcher& matcher, const Solution& solution, const Mat6d& d
                 int num_threads) {
   const Cloud& source = solution.posed.source;
   const Rigid3& minimum = solution.posed.target_from_source;
-  const Cloud asked = evenly_chosen(source, kNumAsked);
+  const Cloud asked = evenly_chosen(source, kNumPointsAsked);
   std::vector<Rigid3> poses;  // ahead and back along each direction
   for (Eigen::Index k = 0; k < 6; ++k)
     for (const double sign : {1.0, -1.0}) poses.push_back(retract(minimum, sign * step * directions.col(k)));

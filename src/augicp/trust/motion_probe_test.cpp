@@ -18,7 +18,7 @@ namespace augicp {
 namespace {
 
 constexpr double kRadius_m = 0.06;
-const AgreementTolerance kTolerance{.distance = 0.5 * kRadius_m};
+const AgreementTolerance kProbeTolerance{.distance = 0.5 * kRadius_m};
 
 Cloud with_surface(Cloud cloud, double radius) {
   const BallNeighbourhood balls(cloud, {radius, 10, 3.0 * radius}, 1);
@@ -38,7 +38,7 @@ TEST(MotionProbe, SaysNothingOfMotionsThatLeaveAShapeAsItIs) {
   for (const testing::DegenerateFamily& family : testing::degenerate_families()) {
     if (family.name == "wire") continue;  // a line has no surroundings
     const Cloud source = drawn(family, generator), target = drawn(family, generator);
-    const auto spoken = MotionProbe(source, target, kTolerance, kRadius_m).spoken_of({}, family.free_motions);
+    const auto spoken = MotionProbe(source, target, kProbeTolerance, kRadius_m).spoken_of({}, family.free_motions);
     EXPECT_EQ(spoken, std::vector<bool>(family.free_motions.size(), false)) << family.name;
   }
 }
@@ -51,14 +51,14 @@ TEST(MotionProbe, SpeaksOfMotionsAcrossASurface) {
   for (std::size_t i = 0; i < target.size(); ++i)
     if (target.structures[i] == Structure::Planar) normal = target.directions[i].cast<double>();
   const std::vector<Vec6d> across{translation(normal), translation(-1e-3 * normal), translation(40.0 * normal)};
-  EXPECT_EQ(MotionProbe(source, target, kTolerance, kRadius_m).spoken_of({}, across), std::vector<bool>(3, true));
+  EXPECT_EQ(MotionProbe(source, target, kProbeTolerance, kRadius_m).spoken_of({}, across), std::vector<bool>(3, true));
 }
 
 TEST(MotionProbe, ComparesPosesByThePointsOnTheSurface) {
   std::mt19937 generator(1);
   const testing::DegenerateFamily plane = testing::degenerate_families()[0];
   const Cloud source = drawn(plane, generator), target = drawn(plane, generator);
-  const MotionProbe probe(source, target, kTolerance, kRadius_m);
+  const MotionProbe probe(source, target, kProbeTolerance, kRadius_m);
   const Vec6d along = plane.free_motions[0].normalized();
   Vec3d normal = Vec3d::Zero();
   for (std::size_t i = 0; i < target.size(); ++i)
@@ -109,7 +109,7 @@ TEST(MotionProbe, CannotTellWherePointsAreFartherApartThanTheTolerance) {
   Cloud source = testing::random_extended_points(500, 5.0, 1), target = testing::random_extended_points(500, 5.0, 2);
   for (Cloud* cloud : {&source, &target})
     std::fill(cloud->structures.begin(), cloud->structures.end(), Structure::None);
-  EXPECT_FALSE(MotionProbe(source, target, kTolerance, kRadius_m).can_tell());
+  EXPECT_FALSE(MotionProbe(source, target, kProbeTolerance, kRadius_m).can_tell());
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Mat6d increment_from_scaled(const Spread& spread) {
 }
 
 // This many pairs, evenly selected, give the information to a hundredth.
-constexpr std::size_t kNumAsked = 8192;
+constexpr std::size_t kNumPairsAsked = 8192;
 
 // The constraint of a point on motions by the information of its own surface: J^T Omega, with J for a motion about the
 // centroid.
@@ -129,7 +129,7 @@ Mat6d held_by(const PosedPairs& posed, const InformationModel& model, const std:
 
 Observability observability(const PosedPairs& posed, const Objective& objective) {
   if (posed.pairs.empty()) return {};
-  const std::vector<Correspondence> some = evenly_chosen(posed.pairs, kNumAsked);
+  const std::vector<Correspondence> some = evenly_chosen(posed.pairs, kNumPairsAsked);
   const PosedPairs asked = posed.with(some);
   const Spread spread = spread_of(posed.target, some);
   if (!(spread.gyration > 0.0)) return {};

@@ -21,7 +21,6 @@ constexpr std::size_t kMaxCandidates = 4;
 // The best supported candidates are led on with more points whatever few points say of them: at little overlap these
 // take the right one for less plausible than others.
 constexpr std::size_t kKeptBySupport = 2;
-constexpr double kSameAngle = 3.0 * kRadPerDeg;
 
 // Poses that are led on, of those proposed: leading one on costs as much as comparing the clouds seven times.
 constexpr std::size_t kMaxLedOn = 24;

@@ -3,9 +3,13 @@
 
 #include <vector>
 
+#include "augicp/core/angles.h"
 #include "augicp/match/matcher.h"
 
 namespace augicp {
+
+// Candidates whose poses differ by less than this, and by less than a ball's radius, are one.
+inline constexpr double kSameAngle = 3.0 * kRadPerDeg;
 
 // A pose, and its plausibility.
 struct Hypothesis {

@@ -8,6 +8,11 @@
 
 namespace augicp {
 
+// Size of the first level of a search. A thousand points are enough to tell thirty poses apart, and cost a millisecond
+// each.
+inline constexpr int kCoarseColumns = 40;
+inline constexpr double kCoarseVoxels = 8.0;
+
 // The poses to which align() leads from the starts, in their order, without those starts that lead to no pose. The
 // result is the same for any number of threads.
 std::vector<Hypothesis> led_on(const ScanMatch& level, std::span<const Rigid3> starts, const AlignOptions& options);

@@ -14,9 +14,6 @@
 namespace augicp {
 namespace {
 
-constexpr int kCoarseColumns = 40;
-constexpr double kCoarseVoxels = 8.0;  // as in the first level of the search
-
 // A few iterations tell which starts are worth leading on.
 constexpr int kFirstIterations = 3, kIterations = 20;
 constexpr std::size_t kMaxLedOn = 4;
@@ -28,7 +25,6 @@ constexpr double kLessPlausible = 0.2;
 // were at most 0.26 less plausible than the pose found (docs/lab/performance.md).
 constexpr double kMaxGain = 0.2;
 constexpr std::size_t kMaxRivals = 3;
-constexpr double kSameAngle = 3.0 * kRadPerDeg;
 
 constexpr std::size_t kNumNormals = 512;  // that vote for the axes
 const double kAlike = std::cos(10.0 * kRadPerDeg), kAcross = std::sin(10.0 * kRadPerDeg);

@@ -41,29 +41,29 @@ Scan room(bool is_bare, unsigned seed) {
   return scan_of(std::move(cloud));
 }
 
-const Rigid3 kMotion{rotation_exp({0.03, -0.02, 0.05}), {0.05, -0.04, 0.03}};
+const Rigid3 kTrueMotion{rotation_exp({0.03, -0.02, 0.05}), {0.05, -0.04, 0.03}};
 
 AlignResult registered(bool is_bare) {
   Scan source = room(is_bare, 1);
-  source.cloud = transform(source.cloud, inverse(kMotion));
+  source.cloud = transform(source.cloud, inverse(kTrueMotion));
   return register_scans(std::move(source), room(is_bare, 2)).result;
 }
 
 // A cuboid is the same after half a turn about each of its axes.
 TEST(Rivals, ABareRoomIsAmbiguous) {
   const AlignResult result = registered(true);
-  EXPECT_THAT(result.target_from_source, NearPose(kMotion, 0.01, 0.02));
+  EXPECT_THAT(result.target_from_source, NearPose(kTrueMotion, 0.01, 0.02));
   EXPECT_EQ(result.status, AlignStatus::Ambiguous);
   ASSERT_FALSE(result.runners_up.empty());
   for (const RunnerUp& other : result.runners_up) {
-    EXPECT_NEAR(angle_between(other.target_from_source, kMotion), std::numbers::pi, 0.02);
+    EXPECT_NEAR(angle_between(other.target_from_source, kTrueMotion), std::numbers::pi, 0.02);
     EXPECT_LE(strain(other.evidence), 1.0);
   }
 }
 
 TEST(Rivals, FurnitureTellsWhichWayRound) {
   const AlignResult result = registered(false);
-  EXPECT_THAT(result.target_from_source, NearPose(kMotion, 0.01, 0.02));
+  EXPECT_THAT(result.target_from_source, NearPose(kTrueMotion, 0.01, 0.02));
   EXPECT_EQ(result.status, AlignStatus::Converged);
   EXPECT_TRUE(result.runners_up.empty());
 }

@@ -14,9 +14,9 @@
 namespace augicp {
 namespace {
 
-// Sizes of the two levels. A thousand points are enough to tell thirty poses apart, and cost a millisecond each.
-constexpr int kCoarseColumns = 40, kMiddleColumns = 80;
-constexpr double kCoarseVoxels = 8.0, kMiddleVoxels = 4.0;
+// Size of the second level.
+constexpr int kMiddleColumns = 80;
+constexpr double kMiddleVoxels = 4.0;
 
 // On images an alignment finds its way from some 10 degrees, farther turned images soon see nothing in common. Clouds
 // may have been seen all around.
@@ -29,8 +29,7 @@ const std::vector<double> kTurnsOfPulled{40.0 * kRadPerDeg};
 constexpr double kConvincing = 0.5;
 
 constexpr std::size_t kMaxCandidates = 4;
-constexpr double kSameAngle = 3.0 * kRadPerDeg;  // candidates nearer than this, and than a ball's radius, are one
-constexpr double kOwnAngle = 8.5 * kRadPerDeg;   // half of the smallest turn: what is nearer came from the guess
+constexpr double kOwnAngle = 8.5 * kRadPerDeg;  // half of the smallest turn: what is nearer came from the guess
 constexpr int kImageIterations = 10, kCloudIterations = 20, kMiddleIterations = 20;
 
 // Without a camera, points far off have no partner on their line of sight, only the nearest: far gates, pairs whatever
