@@ -15,16 +15,16 @@ namespace {
 
 using testing::NearPose;
 
-struct Pair {
+struct ObjectPair {
   Cloud source, target;
   Rigid3 target_from_source;
 };
 
-Pair object_anywhere(const std::string& name, unsigned seed) {
+ObjectPair object_anywhere(const std::string& name, unsigned seed) {
   const auto all = synthetic::objects();
   const auto object = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
   std::mt19937 generator(seed);
-  Pair pair;
+  ObjectPair pair;
   pair.target_from_source = testing::random_motion(generator, testing::uniform(generator, 1.0, 3.1), 2.0);
   pair.target = synthetic::sampled(*object, 15000, 0.0005, generator);
   pair.source = transform(synthetic::sampled(*object, 15000, 0.0005, generator), inverse(pair.target_from_source));
@@ -39,7 +39,7 @@ RegistrationOptions without_guess() {
 
 TEST(WithoutGuess, ObjectsMeetFromAnywhere) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
-    const Pair pair = object_anywhere("bracket", seed);
+    const ObjectPair pair = object_anywhere("bracket", seed);
     const AlignResult result = register_scans(scan_of(pair.source), scan_of(pair.target), {}, without_guess()).result;
     EXPECT_EQ(result.status, AlignStatus::Converged) << seed;
     EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.01)) << seed;
@@ -49,7 +49,7 @@ TEST(WithoutGuess, ObjectsMeetFromAnywhere) {
 // The guess leads nowhere, nor does what is tried around it.
 TEST(WithoutGuess, IsTriedWhereAGuessConvincesNowhere) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
-    const Pair pair = object_anywhere("bracket", seed);
+    const ObjectPair pair = object_anywhere("bracket", seed);
     const AlignResult result = register_scans(scan_of(pair.source), scan_of(pair.target)).result;
     EXPECT_EQ(result.status, AlignStatus::Converged) << seed;
     EXPECT_THAT(result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.01)) << seed;
@@ -57,7 +57,7 @@ TEST(WithoutGuess, IsTriedWhereAGuessConvincesNowhere) {
 }
 
 TEST(WithoutGuess, TheGuessIsIgnored) {
-  const Pair pair = object_anywhere("bracket", 1);
+  const ObjectPair pair = object_anywhere("bracket", 1);
   std::mt19937 generator(9);
   const Rigid3 guess = testing::random_motion(generator, 2.0, 30.0);
   const auto from = [&](const Rigid3& initial) {
@@ -82,7 +82,7 @@ TEST(WithoutGuess, WhatIsNotThereIsNotFound) {
 }
 
 TEST(WithoutGuess, ResultsAreTheSameOnAnyNumberOfThreads) {
-  const Pair pair = object_anywhere("bracket", 2);
+  const ObjectPair pair = object_anywhere("bracket", 2);
   RegistrationOptions options = without_guess();
   const auto with_threads = [&](int num_threads) {
     options.num_threads = num_threads;
@@ -99,7 +99,7 @@ TEST(WithoutGuess, ResultsAreTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(FindPose, BestFirstWithEvidence) {
-  const Pair pair = object_anywhere("bracket", 3);
+  const ObjectPair pair = object_anywhere("bracket", 3);
   const auto found = find_pose(scan_of(pair.source), scan_of(pair.target));
   ASSERT_FALSE(found.empty());
   EXPECT_THAT(found.front().result.target_from_source, NearPose(pair.target_from_source, 0.01, 0.01));
@@ -119,7 +119,7 @@ TEST(FindPose, OfEmptyAndSinglePointsIsNothing) {
 }
 
 TEST(FindPose, ATinyRadiusIsNoError) {
-  const Pair pair = object_anywhere("bracket", 1);
+  const ObjectPair pair = object_anywhere("bracket", 1);
   RegistrationOptions options;
   options.radius = 1e-9;
   EXPECT_NO_THROW(find_pose(scan_of(pair.source), scan_of(pair.target), options));
