@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "augicp/odometry/surface_agreement.h"
+#include "augicp/odometry/sweep_kernel.h"
 #include "augicp/registration/judge.h"
 #include "augicp/registration/registration.h"
 #include "augicp/trust/covariance.h"
@@ -26,10 +27,6 @@ constexpr double kWideGate = 1.25;
 // The kernel's least width, voxels: at the first step the right pairs are as far apart as the prediction is wrong.
 constexpr double kMinKernel = 0.05;
 constexpr double kKernelPerGate = 0.25;
-
-// Pairs count fully up to about this many median residuals: parts of a sweep that the motion bends, and moving things,
-// are a large minority of coherent pairs.
-constexpr double kKernelPerMedian = 3.0;
 
 // After a degenerate scan, where its pose is a prediction, a direction needs this many times the least information:
 // a little would pull the next pose along what the last one left free.

@@ -14,7 +14,7 @@ namespace {
 
 // Points of one scan enter the map once in a cell of this part of a voxel, so that a near surface does not outweigh the
 // others; those that are registered are once in a cell of half a voxel.
-constexpr double kCellsPerVoxel = 4.0;
+constexpr double kFineCellsPerVoxel = 4.0;
 constexpr double kSourceCellsPerVoxel = 2.0;
 
 // Two motions that put points at most this far apart, voxels, need no new choice of points: this is one cell of the
@@ -35,7 +35,7 @@ LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepSha
   Cloud cloud = is_skewed ? without_skew(scan, shares, motion, options_.num_threads) : scan;
   if (is_skewed) attempt.motion = motion, cloud.weights = shares;  // with which they are downsampled
   drop_far_outliers(cloud, kReachVoxels * voxel_size_);
-  attempt.fine = downsample(cloud, voxel_size_ / kCellsPerVoxel);
+  attempt.fine = downsample(cloud, voxel_size_ / kFineCellsPerVoxel);
   attempt.fine.directions.clear(), attempt.fine.structures.clear();
   attempt.source = downsample(attempt.fine, voxel_size_ / kSourceCellsPerVoxel);
   SurfaceMapOptions of_one_scan;

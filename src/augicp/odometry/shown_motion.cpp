@@ -8,14 +8,12 @@
 
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/median.h"
+#include "augicp/odometry/sweep_kernel.h"
 
 namespace augicp {
 namespace {
 
-constexpr std::size_t kMinPairs = 50;
-
-// The kernel's width in median errors, see LidarOdometry.
-constexpr double kKernelPerMedian = 3.0;
+constexpr std::size_t kMinPlanarPairs = 50;
 
 // Of normally distributed numbers, the standard deviation by the median of their sizes.
 constexpr double kSigmaPerMedian = 1.4826;
@@ -23,14 +21,14 @@ constexpr double kSigmaPerMedian = 1.4826;
 using Vec18d = Eigen::Matrix<double, 18, 1>;  // a, b, c, each a shift and a turn
 using Mat18d = Eigen::Matrix<double, 18, 18>;
 
-struct Row {
+struct MotionRow {
   double error;
   Vec18d gradient;
 };
 
-std::vector<Row> rows_of(const PosedPairs& posed, const SweepShares& shares) {
+std::vector<MotionRow> rows_of(const PosedPairs& posed, const SweepShares& shares) {
   const Rigid3& pose = posed.target_from_source;
-  std::vector<Row> rows;
+  std::vector<MotionRow> rows;
   for (const Correspondence& pair : posed.pairs) {
     if (posed.target.structures[pair.target] != Structure::Planar) continue;
     const Vec3d p = posed.source.points[pair.source].cast<double>();
@@ -39,16 +37,16 @@ std::vector<Row> rows_of(const PosedPairs& posed, const SweepShares& shares) {
     const double s = static_cast<double>(shares[pair.source]) - 0.5;
     Eigen::Matrix<double, 6, 1> J;
     J << n_sensor, (posed.source.origin + p).cross(n_sensor);
-    Row row{n.dot(pose * p - posed.target.points[pair.target].cast<double>()), {}};
+    MotionRow row{n.dot(pose * p - posed.target.points[pair.target].cast<double>()), {}};
     row.gradient << J, s * J, 0.5 * s * s * J;
     rows.push_back(row);
   }
   return rows;
 }
 
-double median_size(const std::vector<Row>& rows) {
+double median_size(const std::vector<MotionRow>& rows) {
   std::vector<double> sizes;
-  for (const Row& row : rows) sizes.push_back(std::abs(row.error));
+  for (const MotionRow& row : rows) sizes.push_back(std::abs(row.error));
   return upper_median(std::move(sizes));
 }
 
@@ -61,14 +59,14 @@ double variance_of(double median_error, const Cloud& source, double correlation)
 }  // namespace
 
 std::optional<SweepMotion> shown_motion(const PosedPairs& posed, const SweepShares& shares, const MotionPrior& prior) {
-  const std::vector<Row> rows = rows_of(posed, shares);
-  if (rows.size() < kMinPairs) return std::nullopt;
+  const std::vector<MotionRow> rows = rows_of(posed, shares);
+  if (rows.size() < kMinPlanarPairs) return std::nullopt;
   const double median_error = median_size(rows);
   if (!(median_error > 0.0)) return prior.motion;
   Mat18d H = Mat18d::Zero();
   Vec18d b = Vec18d::Zero();
-  for (const Row& row : rows) {
-    const double weight = 1.0 / std::pow(1.0 + std::pow(row.error / (kKernelPerMedian * median_error), 2), 2);
+  for (const MotionRow& row : rows) {
+    const double weight = kernel_weight(row.error, kKernelPerMedian * median_error);
     H += weight * row.gradient * row.gradient.transpose();
     b += weight * row.error * row.gradient;
   }

@@ -12,6 +12,7 @@
 #include "augicp/cloud/voxel_grid.h"
 #include "augicp/match/matcher.h"
 #include "augicp/odometry/surface_map.h"
+#include "augicp/odometry/sweep_kernel.h"
 
 namespace augicp {
 namespace {
@@ -27,12 +28,11 @@ constexpr int kMaxSkewIterations = 12;
 constexpr double kMinSkewStep = 1e-4;
 constexpr double kMaxShare = 5.0;  // no minimum beyond
 
-// The kernel, see LidarOdometry: its width in median errors, and its least width in voxels.
-constexpr double kKernelPerMedian = 3.0;
-constexpr double kMinKernel = 0.02;
+// The least width of the kernel, voxels.
+constexpr double kMinSkewKernel = 0.02;
 
 // Errors of points in one cell of this many voxels may be correlated in any way.
-constexpr double kCorrelationVoxels = 2.0;
+constexpr double kErrorCellVoxels = 2.0;
 
 constexpr double kRidge = 1e-9;
 
@@ -87,7 +87,7 @@ std::vector<Row> rows_at(const SkewedScan& reference, const SkewedScan& scan, co
     const Vec3d p = T * source.points[pair.source].cast<double>();
     const Vec3d movement =
         T.rotation * scan.movement[pair.source].cast<double>() - reference.movement[pair.target].cast<double>();
-    Row row{n.dot(p - q), {}, cell_of(target.points[pair.target], kCorrelationVoxels * voxel_size)};
+    Row row{n.dot(p - q), {}, cell_of(target.points[pair.target], kErrorCellVoxels * voxel_size)};
     row.gradient << n, p.cross(n), n.dot(movement);
     rows.push_back(row);
   }
@@ -99,7 +99,7 @@ double kernel_width(const std::vector<Row>& rows, double voxel_size) {
   for (const Row& row : rows) sizes.push_back(std::abs(row.error));
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(kKernelPerMedian * *middle, kMinKernel * voxel_size);
+  return std::max(kKernelPerMedian * *middle, kMinSkewKernel * voxel_size);
 }
 
 struct Step {
@@ -113,7 +113,7 @@ Step step_from(const std::vector<Row>& rows, double kernel) {
   Vec7d b = Vec7d::Zero();
   std::map<Key, Vec7d> of_cell;
   for (const Row& row : rows) {
-    const double weight = 1.0 / std::pow(1.0 + std::pow(row.error / kernel, 2), 2);
+    const double weight = kernel_weight(row.error, kernel);
     H += weight * row.gradient * row.gradient.transpose();
     const Vec7d gradient = weight * row.error * row.gradient;
     b += gradient;
