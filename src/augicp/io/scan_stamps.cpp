@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMaxNumber = 1e9;  // of a frame: three years of scans; a larger number is a stamp in some unit
-
 // Seconds: a number, or the last field "hours:minutes:seconds" of a date; days count through the date's last two
 // digits.
 std::optional<double> stamp_in(std::string_view line) {
@@ -136,7 +134,7 @@ ScanStamps scan_stamps(const fs::path& folder, std::span<const fs::path> scans, 
   }
   if (!unnumbered.empty() || (num_points < scans.size() && !ascend(numbers))) numbers.clear();
   ScanStamps found;
-  if (!numbers.empty() && (num_points == scans.size() || numbers.back() > kMaxNumber)) {
+  if (!numbers.empty() && (num_points == scans.size() || numbers.back() > kMaxFrameNumber)) {
     found = stamps_of_names(folder, numbers);
     if (found.are_measured) return found;
     numbers.clear();

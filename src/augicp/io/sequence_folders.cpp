@@ -6,6 +6,7 @@
 
 #include "augicp/io/format.h"
 #include "augicp/io/parse_number.h"
+#include "augicp/io/stamp_unit.h"
 #include "augicp/io/text_lines.h"
 #include "augicp/io/trajectory_file.h"
 
@@ -13,8 +14,6 @@ namespace augicp {
 namespace {
 
 constexpr const char* kImageEndings[] = {".png", ".pgm", ".npy", ".pfm", ".tif", ".tiff"};
-
-constexpr double kMaxNumber = 1e9;  // a year of frames; a larger number is a stamp in some unit
 
 // The number at the end of a name without its extension: digits, with or without a decimal point.
 std::string_view number_at_end(std::string_view name) {
@@ -30,7 +29,7 @@ std::optional<double> stamp_of(const std::filesystem::path& file, std::string_vi
   const auto value = parse_double(number);
   if (number.empty() || !value) return std::nullopt;
   const bool is_stamp = number.find('.') != std::string_view::npos;
-  if (!(*value <= (is_stamp ? kMaxStamp_s : kMaxNumber)))
+  if (!(*value <= (is_stamp ? kMaxStamp_s : kMaxFrameNumber)))
     throw io_error(file,
                    "its number is too large for a frame's: where it is a stamp, write a depth.txt with lines \"stamp "
                    "path\" in seconds");

@@ -7,6 +7,9 @@
 
 namespace augicp {
 
+// The largest number of a frame, a year of frames or more: a larger one is a stamp in some unit.
+inline constexpr double kMaxFrameNumber = 1e9;
+
 // Brings the stamps of frames that follow one another into seconds. They may have any order. Stamps that cannot be
 // seconds, because they lie beyond kMaxStamp_s or frames would be hours apart, are divided by the one unit among
 // milli-, micro- and nanoseconds that makes them frames of a sensor or dates of our time. Seconds that would suit
