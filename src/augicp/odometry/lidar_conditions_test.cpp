@@ -137,11 +137,11 @@ Cloud among_leaves(Cloud scan, unsigned seed) {
 
 TEST(LidarConditions, StandingAmongLeavesIsTracked) {
   LidarOdometry odometry;
-  synthetic::Lidar lidar = street_lidar();
+  synthetic::Lidar lidar = small_lidar();
   lidar.num_azimuths = 1000;
-  const Rigid3 place = street().scene.world_from_camera;
+  const Rigid3 place = street_world().scene.world_from_camera;
   for (unsigned k = 0; k < 5; ++k) {
-    const Cloud scan = among_leaves(synthetic::scan(street().scene, lidar, place, k + 1), k + 1);
+    const Cloud scan = among_leaves(synthetic::scan(street_world().scene, lidar, place, k + 1), k + 1);
     const FrameReport report = odometry.add(k * kSweep_s, scan);
     if (k == 0) continue;
     EXPECT_EQ(report.status, FrameStatus::Tracked);
@@ -153,13 +153,13 @@ TEST(LidarConditions, StandingAmongLeavesIsTracked) {
 // In the hand: the rate of the turn changes by 180 degrees per second within a tenth of a second. Each sweep shows
 // itself how it was bent; by the poses of whole scans alone, ten of them were up to 5 cm and 1.6 degrees off.
 TEST(LidarConditions, JerksDuringSweepsAreSeen) {
-  const Rigid3 start = street().scene.world_from_camera;
+  const Rigid3 start = street_world().scene.world_from_camera;
   const Motion motion = [&](double time_s) {
     const double moving_s = std::max(0.0, time_s - 0.3), w = 2.0 * std::numbers::pi * 1.6;
     const double yaw = 0.3 * (1.0 - std::cos(w * moving_s));
     return start * Rigid3{rotation_exp({0.0, 0.0, yaw}), {0.5 * moving_s, 0.0, 0.0}};
   };
-  expect_true_poses({street(), motion, first(20), {}}, 0.006, 0.03);
+  expect_true_poses({street_world(), motion, first(20), {}}, 0.006, 0.03);
 }
 
 // One reading of the second and of the fifth sweep is farther than a grid of voxels has cells for.
