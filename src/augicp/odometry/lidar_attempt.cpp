@@ -40,6 +40,9 @@ constexpr double kMinRotationStep = 5e-5;
 // twice, three times. The motion found with a wrong one is still wrong by a part of it.
 constexpr double kRedoVoxels[] = {0.01, 0.05, 0.05};
 
+// A pose is near another up to this distance, voxels: a turn by a radian.
+constexpr double kNearVoxels = kTypicalDistanceVoxels;
+
 // A sensor that has moved by more than this since the last scan, voxels, does not stand still.
 constexpr double kStillVoxels = 0.05;
 
@@ -141,7 +144,9 @@ bool LidarOdometry::is_search_due() const {
   return std::has_single_bit(number);
 }
 
-// Registers to the last keyframe from many starts, and to the map from there.
+// Registers to the last keyframe from many starts, and to the map from there. Far from
+// the last pose, it is only believed if both scans support it: in a room, a scan that is bent by its motion fits
+// half-turned as well as where it belongs.
 void LidarOdometry::search(Attempt& attempt) const {
   RegistrationOptions registration;
   registration.num_threads = options_.num_threads;
@@ -150,10 +155,12 @@ void LidarOdometry::search(Attempt& attempt) const {
   const Rigid3 guess = inverse(keyframe_->world_from_sensor) * last_->world_from_camera;
   const AlignResult found =
       register_scans(scan_of(attempt.fine), scan_of(keyframe_->cloud), guess, registration).result;
-  if (!has_pose(found.status)) return;
+  const Rigid3 pose = keyframe_->world_from_sensor * found.target_from_source;
+  const bool is_supported = found.status == AlignStatus::Converged || found.status == AlignStatus::Degenerate;
+  const double moved = motion_between(last_->world_from_camera, pose, typical_distance(voxel_size_));
+  if (!has_pose(found.status) || (!is_supported && moved > kNearVoxels * voxel_size_)) return;
   Attempt other = attempt;
-  align_to_map(keyframe_->world_from_sensor * found.target_from_source, 2.0 * options_.gate_voxels * voxel_size_,
-               other);
+  align_to_map(pose, 2.0 * options_.gate_voxels * voxel_size_, other);
   if (other.agreement > attempt.agreement) attempt = std::move(other);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 #include <ostream>
 #include <string>
 
@@ -113,6 +114,21 @@ TEST(LidarSearches, ScansThatHardlyShareASurfaceAreNotTracked) {
       EXPECT_GT(report.overlap, 0.25) << "scan " << k;
     }
   }
+}
+
+// A quarter of a turn between two scans, in the middle of a bare room: a search finds it turned to the left and to the
+// right, and both fit.
+TEST(LidarSearches, FarPosesOfWhichAnotherFitsAsWellAreNotBelieved) {
+  testing::Scene room;
+  const Rigid3 upright{Eigen::Quaterniond::Identity(), {0.0, 0.0, 1.4}};
+  add_box(room, upright, {6.0, 4.0, 2.8});
+  LidarOdometry odometry(one_thread());
+  const auto added = [&](double yaw, unsigned k) {
+    const Rigid3 place = upright * Rigid3{rotation_exp({0.0, 0.0, yaw}), Vec3d::Zero()};
+    return odometry.add(k * kSweep_s, synthetic::scan(room, small_lidar(), place, k + 1)).status;
+  };
+  for (unsigned k = 0; k < 3; ++k) added(0.0, k);
+  EXPECT_THAT(added(0.5 * std::numbers::pi, 3), ::testing::AnyOf(FrameStatus::Lost, FrameStatus::Doubtful));
 }
 
 // The sensor is moved by hand while other scans arrive: only a search finds it. Lost scans in a row are searched for at
