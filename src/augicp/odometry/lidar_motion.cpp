@@ -50,9 +50,17 @@ Rigid3 LidarOdometry::predicted_evenly(double stamp_s) const {
   return last_->world_from_camera * part_of(motion, spans_since_last(stamp_s));
 }
 
-// How far constant velocity is off at this pose, metres at the distance of a typical point.
+// How far constant rates are off at this pose, on an arc or along a line, metres at the distance of a typical point.
 double LidarOdometry::unevenness_at(double stamp_s, const Rigid3& world_from_sensor) const {
-  return motion_between(predicted_evenly(stamp_s), world_from_sensor, typical_distance(voxel_size_));
+  const Rigid3 on_an_arc = predicted_evenly(stamp_s);
+  Rigid3 along_a_line = on_an_arc;
+  if (before_last_) {
+    const Vec3d &from = before_last_->world_from_camera.translation, &to = last_->world_from_camera.translation;
+    along_a_line.translation = to + spans_since_last(stamp_s) * (to - from);
+  }
+  const double typical = typical_distance(voxel_size_);
+  return std::min(motion_between(on_an_arc, world_from_sensor, typical),
+                  motion_between(along_a_line, world_from_sensor, typical));
 }
 
 // Here or shortly before.

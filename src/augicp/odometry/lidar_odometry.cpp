@@ -243,7 +243,8 @@ void LidarOdometry::follow(const Attempt& attempt, const Rigid3& guess, FrameRep
   const double error = motion_between(guess, attempt.world_from_sensor, typical_distance(voxel_size_));
   // A prediction across a pause that was right shows that the sensor goes on as it moved.
   const bool has_paused = is_after_pause(report.stamp_s) && error > options_.gate_voxels * voxel_size_;
-  const double unevenness = unevenness_at(report.stamp_s, attempt.world_from_sensor);
+  // The second scan of a segment is the first to show a velocity.
+  const double unevenness = before_last_ ? unevenness_at(report.stamp_s, attempt.world_from_sensor) : 0.0;
   if (!has_paused) {
     prediction_error_ = std::max(error, (1.0 - kForgetting) * prediction_error_);
     unevenness_ = std::max(unevenness, (1.0 - kForgetting) * unevenness_);

@@ -61,11 +61,11 @@ LidarOdometry::Attempt LidarOdometry::straightened(Attempt attempt, const Cloud&
 }
 
 // With the motion that the scan's own points show, where motion is uneven and while more of them then lie on surfaces.
-// Where motions are free, they show nothing.
+// Where motions are free, they show nothing, and on a map of one scan whose own motion is unknown they show that one's.
 LidarOdometry::Attempt LidarOdometry::straightened_by_itself(Attempt attempt, double stamp_s, const Cloud& scan,
                                                              const SweepShares& shares) const {
   const Rigid3& found = attempt.world_from_sensor;
-  if (!is_uneven(stamp_s, found) || attempt.result.status == AlignStatus::Degenerate) return attempt;
+  if (start_scan_ || attempt.result.status == AlignStatus::Degenerate || !is_uneven(stamp_s, found)) return attempt;
   const double typical = typical_distance(voxel_size_), sigma = std::max(unevenness_, unevenness_at(stamp_s, found));
   for (int round = 0; round < kMaxOwnRounds; ++round) {
     const Cloud& target = matcher_->target();
