@@ -17,7 +17,7 @@ constexpr int kMaxStartRounds = 4;
 // Of the last sweep in the average of accelerations.
 constexpr double kShareOfLast = 0.5;
 
-// Motion is uneven where constant velocity is off by more than this, voxels.
+// Motion is uneven where constant rates are off by more than this, voxels.
 constexpr double kUnevenVoxels = 0.25;
 
 // An acceleration found in one sweep says nothing of later than this.

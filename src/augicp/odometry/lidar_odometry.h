@@ -225,7 +225,7 @@ class LidarOdometry {
   std::optional<double> last_stamp_s_;             // of any scan
   double shortest_gap_s_ = 0.0;
   std::optional<SweepMotion> last_shown_;  // of the last scan, where its own points showed it
-  // Of the last scans, metres at the distance of a typical point: how far predictions were off, and constant velocity.
+  // Of the last scans, metres at the distance of a typical point: how far predictions were off, and constant rates.
   double prediction_error_ = 0.0, unevenness_ = 0.0;
   double usual_agreement_ = 0.0;
   SkewVotes skew_votes_;
