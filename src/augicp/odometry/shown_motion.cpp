@@ -46,6 +46,7 @@ std::vector<MotionRow> rows_of(const PosedPairs& posed, const SweepShares& share
 
 double median_size(const std::vector<MotionRow>& rows) {
   std::vector<double> sizes;
+  sizes.reserve(rows.size());
   for (const MotionRow& row : rows) sizes.push_back(std::abs(row.error));
   return upper_median(std::move(sizes));
 }
