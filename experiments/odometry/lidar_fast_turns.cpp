@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "augicp/core/angles.h"
+#include "augicp/core/median.h"
 #include "augicp/geometry/rotation.h"
 #include "augicp/odometry/lidar_odometry.h"
 #include "augicp/synthetic/lidar.h"
@@ -128,12 +129,7 @@ void run(const Case& tried, unsigned seed, Counts& counts) {
   }
 }
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+double median_of(const std::vector<double>& values) { return values.empty() ? 0.0 : upper_median(values); }
 
 double largest_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -158,8 +154,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return std::fprintf(stderr, "usage: lidar_fast_turns FIRST_SEED LAST_SEED\n"), 2;
   std::printf(
       "| scene | begin | degrees/s | tracked, right | tracked, WRONG | others | poses: median, mm, deg | largest | "
-      "steps: "
-      "median, mm, deg | largest |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+      "steps: median, mm, deg | largest |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   const auto first = static_cast<unsigned>(std::atoi(argv[1])), last = static_cast<unsigned>(std::atoi(argv[2]));
   for (const bool is_street : {false, true}) {
     for (const int num_rings : {16, 32})

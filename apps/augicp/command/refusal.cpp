@@ -69,7 +69,7 @@ std::string unknown_option(const CLI::App& command, const std::string& option) {
   return message + fmt::format(". It belongs before the subcommand: augicp {} ... {}", option, command.get_name());
 }
 
-// Options of one letter are those of other programs, and so are words behind one dash: PCL's and CloudCompare's.
+// Options of one letter, and words behind one dash, belong to other programs: PCL and CloudCompare have them.
 std::string unknown_letter(const CLI::App& command, const std::string& word) {
   const std::string near = word.size() > 3 ? closest(word.substr(1), option_names(command)) : "";
   if (!near.empty()) return fmt::format("{} has no option {}. Did you mean --{}?", full_name(command), word, near);

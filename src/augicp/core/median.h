@@ -9,6 +9,9 @@
 
 namespace augicp {
 
+// Of normally distributed numbers, the standard deviation by the median of their sizes.
+inline constexpr double kSigmaPerMedian = 1.4826;
+
 // The upper median of the values that are at least +0. Negative values and -0 mark missing errors and are skipped. 0 if
 // no value is left.
 double median(std::span<const float> values);

@@ -40,7 +40,7 @@ struct DepthSequence {
 //   numbered   1.png, 2.png ... or any names that end in a number, in the folder or in its folder depth/;
 //              optionally groundtruth.txt.
 //              A number with a decimal point (1305031453.374112.png) is a stamp in seconds
-// Of numbered images of several kinds, those of the first kind are read that the folder has; the others are a warning.
+// If a folder has numbered images of several kinds, only the first kind is read; a warning counts the others.
 // Frames without stamps get their number / frames_per_s. Stamps of a list in other units than seconds: see
 // bring_into_seconds(). Images are not opened. Throws IoError if the folder has none of these layouts, if its list of
 // images is damaged or in no unit that suits, and std::invalid_argument unless frames_per_s is above 0.

@@ -34,8 +34,8 @@ std::vector<std::filesystem::path> find_scans(const std::filesystem::path& folde
 // KITTI raw's timestamps.txt; else the number in which each name ends, if all have a decimal point or are too large for
 // the number of a frame; else that number / scans_per_s, if all names have one and they ascend; else the place /
 // scans_per_s. Stamps of a list need not ascend. Other units than seconds: see bring_into_seconds(). Scans are not
-// opened. Throws IoError if there are no scans, if a list of stamps has not as many as there are scans or is in no unit
-// that suits, and std::invalid_argument unless scans_per_s is above 0.
+// opened. Throws IoError if there are no scans, or if a list of stamps has another number of lines than there are
+// scans, or a unit that does not suit; and std::invalid_argument unless scans_per_s is above 0.
 ScanSequence read_scan_sequence(const std::filesystem::path& folder, double scans_per_s);
 
 // The same, or of a recording the clouds of a topic, see scans_of_topic(). topic: empty for a folder, or if the

@@ -144,9 +144,9 @@ bool LidarOdometry::is_search_due() const {
   return std::has_single_bit(number);
 }
 
-// Registers to the last keyframe from many starts, and to the map from there. Far from
-// the last pose, it is only believed if both scans support it: in a room, a scan that is bent by its motion fits
-// half-turned as well as where it belongs.
+// Registers to the last keyframe from many starts, and to the map from there. A pose far from the last one is believed
+// only if both scans support it: in a room, a scan that its motion has bent fits half-turned as well as where it
+// belongs.
 void LidarOdometry::search(Attempt& attempt) const {
   RegistrationOptions registration;
   registration.num_threads = options_.num_threads;

@@ -47,6 +47,11 @@ inline double typical_distance(double voxel_size) { return kTypicalDistanceVoxel
 inline constexpr double kTrustedSpans = 3.0;
 inline constexpr double kForgottenSpans = 10.0;
 
+// Of the sweep, the moment to which poses refer.
+inline double share_of(PoseInstant instant) {
+  return instant == PoseInstant::Begin ? 0.0 : instant == PoseInstant::End ? 1.0 : 0.5;
+}
+
 // How far two poses are apart, metres: by their translations, and by what their rotations move a point at a distance.
 inline double motion_between(const Rigid3& a, const Rigid3& b, double typical_distance) {
   return (a.translation - b.translation).norm() + typical_distance * angle_between(a, b);

@@ -46,18 +46,7 @@ double derived_voxel(const Cloud& scan) {
   return extent > 0.0 ? std::clamp(extent / kVoxelsPerExtent, kMinVoxel, kMaxVoxel) : 0.0;
 }
 
-double share_of(PoseInstant instant) {
-  return instant == PoseInstant::Begin ? 0.0 : instant == PoseInstant::End ? 1.0 : 0.5;
-}
-
 }  // namespace
-
-Cloud deskewed(const Cloud& scan, const SweepShares& shares, const FrameReport& report, PoseInstant pose_at,
-               int num_threads) {
-  if (!report.motion || shares.empty()) return scan;
-  const Cloud at_middle = without_skew(scan, shares, *report.motion, num_threads);
-  return transform(at_middle, inverse(report.motion->middle_from(share_of(pose_at))));
-}
 
 void LidarOptions::check() const {
   if (voxel_size) require_positive("voxel_size", *voxel_size);

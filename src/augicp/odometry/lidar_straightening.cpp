@@ -28,6 +28,13 @@ constexpr int kMaxOwnRounds = 10;
 
 }  // namespace
 
+Cloud deskewed(const Cloud& scan, const SweepShares& shares, const FrameReport& report, PoseInstant pose_at,
+               int num_threads) {
+  if (!report.motion || shares.empty()) return scan;
+  const Cloud at_middle = without_skew(scan, shares, *report.motion, num_threads);
+  return transform(at_middle, inverse(report.motion->middle_from(share_of(pose_at))));
+}
+
 LidarOdometry::Attempt LidarOdometry::prepared(const Cloud& scan, const SweepShares& shares,
                                                const SweepMotion& motion) const {
   Attempt attempt;

@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "augicp/cloud/voxel_grid.h"
@@ -14,9 +13,6 @@ namespace augicp {
 namespace {
 
 constexpr std::size_t kMinPlanarPairs = 50;
-
-// Of normally distributed numbers, the standard deviation by the median of their sizes.
-constexpr double kSigmaPerMedian = 1.4826;
 
 using Vec18d = Eigen::Matrix<double, 18, 1>;  // a, b, c, each a shift and a turn
 using Mat18d = Eigen::Matrix<double, 18, 18>;
@@ -42,13 +38,6 @@ std::vector<MotionRow> rows_of(const PosedPairs& posed, const SweepShares& share
     rows.push_back(row);
   }
   return rows;
-}
-
-double median_size(const std::vector<MotionRow>& rows) {
-  std::vector<double> sizes;
-  sizes.reserve(rows.size());
-  for (const MotionRow& row : rows) sizes.push_back(std::abs(row.error));
-  return upper_median(std::move(sizes));
 }
 
 // Of the errors, as if each cell had one.

@@ -95,11 +95,7 @@ std::vector<Row> rows_at(const SkewedScan& reference, const SkewedScan& scan, co
 }
 
 double kernel_width(const std::vector<Row>& rows, double voxel_size) {
-  std::vector<double> sizes;
-  for (const Row& row : rows) sizes.push_back(std::abs(row.error));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(kKernelPerMedian * *middle, kMinSkewKernel * voxel_size);
+  return std::max(kKernelPerMedian * median_size(rows), kMinSkewKernel * voxel_size);
 }
 
 struct Step {

@@ -24,7 +24,6 @@ constexpr double kUsualShift = 0.005;
 constexpr double kIndependentPairs = 15.0;
 
 constexpr std::size_t kMinPairs = 300;
-constexpr float kSigmaPerMedian = 1.4826f;  // of normally distributed errors
 constexpr double kOutlierSigmas = 2.0;
 
 // The distance of a pair along the target's normal, its derivative by the eighteen unknowns, and its relative
@@ -71,7 +70,7 @@ std::vector<PlaneError> plane_errors(const SkewedPair& scans, std::span<const Co
 double typical_error(const std::vector<PlaneError>& errors) {
   std::vector<float> sizes;
   for (const PlaneError& e : errors) sizes.push_back(static_cast<float>(std::abs(e.error) * std::sqrt(e.information)));
-  return kSigmaPerMedian * median(sizes);
+  return static_cast<float>(kSigmaPerMedian) * median(sizes);
 }
 
 // An increment of a pose, expressed in the frame that the motion leads to.
