@@ -107,6 +107,9 @@ void bind_evidence(py::module_& module) {
                     "Share, from 0 to 1, of the points that agree off the three largest planes.");
   type.def_readonly("moved", &Evidence::moved,
                     "RMS motion of the source from the guess, divided by its radius of gyration.");
+  type.def_readonly("outvoted", &Evidence::outvoted,
+                    "How many times as many pairs of points that look alike support a clearly different pose; 0 where "
+                    "that was not asked, near the guess.");
   type.def_property_readonly(
       "strain", [](const Evidence& evidence) { return strain(evidence); },
       "The largest ratio of a value to its limit; above 1 the pose is doubtful.");

@@ -43,6 +43,7 @@ struct VisitEvidence {
     archive.number(evidence.observability);
     archive.number(evidence.beyond_planes);
     archive.number(evidence.moved);
+    archive.number(evidence.outvoted);
   }
 };
 

@@ -42,6 +42,12 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
           "The large planes agree far better than what lies off them: the share that agrees off them is {:.0f} % and "
           "{:.0f} % of that on them.",
           100.0 * one.off_planes, 100.0 * other.off_planes);
+    case Doubt::Outvoted:
+      return fmt::format(
+          "Far from the guess, {:.1f} times as many pairs of points that look alike support a clearly different pose, "
+          "too "
+          "many for what else is known of this one.",
+          evidence.outvoted);
     case Doubt::LeftGuess:
       return "The pose is not at the guess along what is free.";
   }

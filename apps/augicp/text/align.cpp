@@ -75,6 +75,7 @@ nlohmann::ordered_json evidence_json(const AlignResult& result) {
           {"target_in_source", testimony_json(evidence.target_in_source)},
           {"beyond_planes", evidence.beyond_planes},
           {"moved", evidence.moved},
+          {"outvoted", evidence.outvoted},
           {"residuals",
            {{"point", statistics_json(evidence.residuals.point)},
             {"normal", statistics_json(evidence.residuals.normal)},

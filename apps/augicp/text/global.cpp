@@ -19,7 +19,7 @@ std::string testimony_csv(const Testimony& testimony) {
 std::string evidence_csv(const Evidence& evidence) {
   return fmt::format(",{:.4f}", strain(evidence)) + testimony_csv(evidence.source_in_target) +
          testimony_csv(evidence.target_in_source) +
-         fmt::format(",{:.4f},{:.3e}", evidence.beyond_planes, evidence.observability);
+         fmt::format(",{:.4f},{:.3e},{:.3f}", evidence.beyond_planes, evidence.observability, evidence.outvoted);
 }
 
 }  // namespace
@@ -28,13 +28,13 @@ std::string global_csv(std::span<const GlobalOutcome> outcomes) {
   std::string text =
       "family,source,target,status,translation_error_m,rotation_error_deg,time_ms,strain,free_space_1,seen_1,"
       "agreeing_1,conflicting_1,contradicting_1,off_planes_1,free_space_2,seen_2,agreeing_2,conflicting_2,"
-      "contradicting_2,off_planes_2,beyond_planes,observability\n";
+      "contradicting_2,off_planes_2,beyond_planes,observability,outvoted\n";
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const GlobalOutcome& outcome : outcomes) {
     text += fmt::format("{},{},{},{},{:.5f},{:.4f},{:.1f}", outcome.family, outcome.source_name, outcome.target_name,
                         name_of(outcome.status), outcome.error ? outcome.error->translation : nan,
                         outcome.error ? outcome.error->rotation * kDegPerRad : nan, outcome.time_ms);
-    text += (outcome.evidence ? evidence_csv(*outcome.evidence) : std::string(15, ',')) + "\n";
+    text += (outcome.evidence ? evidence_csv(*outcome.evidence) : std::string(16, ',')) + "\n";
   }
   return text;
 }

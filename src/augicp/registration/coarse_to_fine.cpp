@@ -9,6 +9,7 @@
 #include "augicp/registration/start/global_starts.h"
 #include "augicp/registration/start/rivals.h"
 #include "augicp/registration/start/start_search.h"
+#include "augicp/registration/start/votes.h"
 
 namespace augicp {
 namespace {
@@ -39,7 +40,7 @@ AlignResult with_runners_up(std::vector<AlignResult> results, const ScanPair& pa
   return best;
 }
 
-std::vector<Rigid3> proposed(const ScanPair& pair, const RegistrationOptions& options) {
+GlobalStarts proposed(const ScanPair& pair, const RegistrationOptions& options) {
   return reported(options.on_stage, Stage::Descriptors, [&] { return global_starts(pair, options); });
 }
 
@@ -47,19 +48,35 @@ FullResolution indexed(const ScanPair& pair, const Guess& guess, const Registrat
   return reported(options.on_stage, Stage::Indexing, [&] { return FullResolution(pair, guess, options); });
 }
 
-// Without a guess the most plausible start that convinces is the result. Others then compete only if they may fit too.
+bool convinces(const std::vector<AlignResult>& results) {
+  return std::any_of(results.begin(), results.end(), is_supported);
+}
+
+// Appends the results of starts that need no guess: all until one convinces, then only those that may fit too.
 template <typename LeadOn>
-std::vector<AlignResult> from_global_starts(const ScanPair& pair, const FullResolution& full, const LeadOn& lead_on,
-                                            const RegistrationOptions& options) {
-  std::vector<AlignResult> results;
-  bool is_found = false;
-  const std::vector<Rigid3> starts = proposed(pair, options);
+void lead_on_promising(const std::vector<Rigid3>& starts, const FullResolution& full, const LeadOn& lead_on,
+                       std::vector<AlignResult>& results) {
+  bool is_found = convinces(results);
   for (std::size_t k = 0; k < starts.size(); ++k) {
     if (is_found && !full.is_promising(starts[k])) continue;
     results.push_back(lead_on(starts[k], Turn{k, starts.size()}));
     is_found = is_found || is_supported(results.back());
   }
-  return results;
+}
+
+// Whether it converged where the guess says little.
+bool has_converged_far_off(const AlignResult& result) {
+  return result.status == AlignStatus::Converged && result.evidence->moved > VerdictLimits{}.max_moved_near_guess;
+}
+
+// Far from the guess, a pose that converged is doubtful if many more points look alike under another one.
+AlignResult with_votes(AlignResult result, const ScanPair& pair, std::span<const SeedPose> seeds) {
+  if (!has_converged_far_off(result)) return result;
+  result.evidence->outvoted = outvoted(pair.source.cloud, result.target_from_source, seeds, pair.lengths.radius);
+  const Verdict verdict = decide(result.status, *result.evidence);
+  result.status = verdict.status;
+  result.doubts = verdict.doubts;
+  return result;
 }
 
 void append(std::vector<AlignResult> others, std::vector<AlignResult>& results) {
@@ -87,10 +104,6 @@ std::vector<Rigid3> rivals_of(const AlignResult& found, const ScanPair& pair, co
   return rivals;
 }
 
-bool convinces(const std::vector<AlignResult>& results) {
-  return std::any_of(results.begin(), results.end(), is_supported);
-}
-
 // The result that the evidence prefers, first, unless it has left the guess along what is free: elsewhere on a flat
 // field, or upside down. Then that of the guess stays first.
 std::vector<AlignResult> best_at_guess_first(std::vector<AlignResult> results, const Guess& guess) {
@@ -108,9 +121,15 @@ std::vector<AlignResult> with_rivals(std::vector<AlignResult> results, const Sca
   return results;
 }
 
+// Whether starts that need no guess are to compete: where nothing convinces, or only what is far from the guess.
+bool needs_global_starts(const std::vector<AlignResult>& results) {
+  return std::none_of(results.begin(), results.end(),
+                      [](const AlignResult& result) { return is_supported(result) && !has_converged_far_off(result); });
+}
+
 // The guess between clouds leads to a result of its own. Only if that does not convince, other starts compete with it:
-// those around it and, if none convinces, those that need no guess. What convinces is compared with what the scene's
-// symmetries make of it.
+// those around it and, if none near it convinces, those that need no guess. What convinces is compared with what the
+// scene's symmetries make of it.
 AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const RegistrationOptions& options) {
   const Guess known = options.global ? Guess{} : guess;
   const FullResolution full = indexed(pair, known, options);
@@ -119,7 +138,9 @@ AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const Regi
   if (!options.global) results.push_back(full.from(guess));
   if (!options.global && !options.search) return std::move(results.front());
   if (!options.global && !convinces(results)) append(from_each(full, searched(pair, guess, options)), results);
-  if (!convinces(results)) append(from_global_starts(pair, full, lead_on, options), results);
+  GlobalStarts global;
+  if (needs_global_starts(results)) global = proposed(pair, options);
+  lead_on_promising(global.starts_target_from_source, full, lead_on, results);
   if (results.empty()) return full.from(guess);
   // Where nothing convinces, a pose that stays at the guess along its free motions is not left for another doubtful
   // one.
@@ -127,7 +148,8 @@ AlignResult between_clouds(const ScanPair& pair, const Rigid3& guess, const Regi
   std::optional<Rigid3> led_to_by_guess;
   if (!options.global) led_to_by_guess = results.front().target_from_source;
   if (!stays) results = best_at_guess_first(std::move(results), known);
-  return with_runners_up(with_rivals(std::move(results), pair, full, options), pair, led_to_by_guess);
+  results = with_rivals(std::move(results), pair, full, options);
+  return with_votes(with_runners_up(std::move(results), pair, led_to_by_guess), pair, global.seeds);
 }
 
 // If that does not convince either, starts that need no guess compete with it.
@@ -139,9 +161,10 @@ AlignResult between_images(const ScanPair& pair, const Rigid3& guess, const Regi
   const auto lead_on = [&](const Rigid3& start, Turn turn) {
     return from_start_of_images(pair, {start, turn}, known, options);
   };
-  append(from_global_starts(pair, indexed(pair, known, options), lead_on, options), results);
+  const GlobalStarts global = proposed(pair, options);
+  lead_on_promising(global.starts_target_from_source, indexed(pair, known, options), lead_on, results);
   if (results.empty()) return lead_on(guess, {});
-  return with_runners_up(best_first(std::move(results)), pair);
+  return with_votes(with_runners_up(best_first(std::move(results)), pair), pair, global.seeds);
 }
 
 }  // namespace
@@ -166,7 +189,8 @@ AlignResult from_known(const ScanPair& pair, const std::vector<Rigid3>& starts, 
 std::vector<AlignResult> from_anywhere(const ScanPair& pair, const RegistrationOptions& options) {
   const bool has_images = pair.source.view && is_projective(pair.target, options.association);
   const FullResolution full = indexed(pair, Guess{}, options);
-  const std::vector<Rigid3> starts = proposed(pair, options);
+  const GlobalStarts global = proposed(pair, options);
+  const std::vector<Rigid3>& starts = global.starts_target_from_source;
   std::vector<AlignResult> results;
   for (std::size_t k = 0; k < starts.size(); ++k) {
     const Turn turn{k, starts.size()};
@@ -174,7 +198,7 @@ std::vector<AlignResult> from_anywhere(const ScanPair& pair, const RegistrationO
                                  : full.from(starts[k], turn));
   }
   std::stable_sort(results.begin(), results.end(), is_better);
-  if (!results.empty()) results.front() = with_runners_up(results, pair);
+  if (!results.empty()) results.front() = with_votes(with_runners_up(results, pair), pair, global.seeds);
   return results;
 }
 

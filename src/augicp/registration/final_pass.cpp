@@ -54,6 +54,7 @@ std::optional<Registration> aligned_finer(const Registration& first, RawPair raw
   if (!is_more_certain(again, first.result, first.prepared.target.cloud)) return std::nullopt;
   again = judged_like_first(std::move(again), first.prepared, guess, options);
   if (again.status != AlignStatus::Converged) return std::nullopt;
+  again.evidence->outvoted = first.result.evidence->outvoted;
   return Registration{std::move(again), std::move(finer)};
 }
 

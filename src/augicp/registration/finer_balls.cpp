@@ -68,6 +68,7 @@ Registration registered_finer(const Registration& first, const RawPair& raw, con
   ScanPair pair = finer;
   pair.known_part = part_of(*first.result.evidence);
   AlignResult result = from_known(pair, poses_of(first.result), guess, options);
+  if (result.evidence) result.evidence->outvoted = first.result.evidence->outvoted;
   return {std::move(result), std::move(finer)};
 }
 

@@ -68,6 +68,18 @@ TEST(WithoutGuess, TheGuessIsIgnored) {
   EXPECT_EQ(with_guess.status, without.status);
 }
 
+TEST(WithoutGuess, VotesAreCountedFarFromTheGuessAlone) {
+  const ObjectPair pair = object_anywhere("bracket", 1);
+  const auto outvoted_from = [&](const Rigid3& initial, const RegistrationOptions& options) {
+    return register_scans(scan_of(pair.source), scan_of(pair.target), initial, options).result.evidence->outvoted;
+  };
+  const double anywhere = outvoted_from({}, without_guess());
+  EXPECT_GT(anywhere, 0.0);
+  EXPECT_LT(anywhere, 1.0);
+  EXPECT_EQ(outvoted_from({}, {}), anywhere);  // found without the guess, which is more than a radian off
+  EXPECT_EQ(outvoted_from(pair.target_from_source, {}), 0.0);
+}
+
 TEST(WithoutGuess, DepthImagesMeetFromAnywhere) {
   std::mt19937 generator(4);
   const testing::ScanPair pair = testing::room_pair(testing::random_motion(generator, 0.3, 0.3));

@@ -57,6 +57,13 @@ double bare_planes(const Evidence& evidence, const VerdictLimits& limits) {
   return std::min(evidence.moved, kMovedFromAnywhere) / (beyond * limits.max_moved_on_planes);
 }
 
+// The ratio of what speaks for another pose to its limit; other: the largest ratio of all other evidence. The nearer
+// the guess, the less it counts.
+double outvoted(const Evidence& evidence, double other, const VerdictLimits& limits) {
+  const double from_guess = std::min(evidence.moved / kMovedFromAnywhere, 1.0);
+  return from_guess * evidence.outvoted * other / limits.max_outvoted;
+}
+
 // Whether a cloud shows all of the other.
 constexpr double kAll = 0.99;
 bool shows_all(const Testimony& testimony) { return testimony.seen() >= kAll && testimony.agreeing() >= kAll; }
@@ -64,7 +71,7 @@ bool shows_all(const Testimony& testimony) { return testimony.seen() >= kAll && 
 // The larger ratios of both sides: one cloud's contradiction is not compensated by the other. But where one cloud is a
 // part of the other, of which it shows all, the other has no partner for what the part lacks, and only what stands in
 // the part's free space contradicts.
-std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& limits) {
+std::array<double, 7> strains(const Evidence& evidence, const VerdictLimits& limits) {
   auto one = strains(evidence.source_in_target, limits), other = strains(evidence.target_in_source, limits);
   const bool source_is_part = evidence.known_part == Part::Source || shows_all(evidence.source_in_target);
   const bool target_is_part = evidence.known_part == Part::Target || shows_all(evidence.target_in_source);
@@ -79,12 +86,15 @@ std::array<double, 6> strains(const Evidence& evidence, const VerdictLimits& lim
   const bool know_free_space = evidence.source_in_target.knows_free_space && evidence.target_in_source.knows_free_space;
   const bool asks = !know_free_space || is_far_from_guess(evidence, limits);
   const double only_planes = asks ? std::min(one[4], other[4]) : 0.0;
-  return {std::max({one[0], other[0], joint}),
-          std::max(one[1], other[1]),
-          std::max({one[2], other[2], joint_conflict(evidence, limits)}),
-          std::max(one[3], other[3]),
-          bare,
-          only_planes};
+  std::array<double, 7> all{std::max({one[0], other[0], joint}),
+                            std::max(one[1], other[1]),
+                            std::max({one[2], other[2], joint_conflict(evidence, limits)}),
+                            std::max(one[3], other[3]),
+                            bare,
+                            only_planes,
+                            0.0};
+  all.back() = outvoted(evidence, *std::max_element(all.begin(), all.end()), limits);
+  return all;
 }
 
 // A cloud that does not know its free space calls unseen what contradicts the pose. Then a pose that leaves more unseen
@@ -129,6 +139,7 @@ void VerdictLimits::check() const {
   require_positive("enough_beyond_planes", enough_beyond_planes);
   require(conflicting_on_planes > 0.0 && conflicting_on_planes <= 1.0, "conflicting_on_planes", conflicting_on_planes,
           "must be above 0 and at most 1");
+  require_positive("max_outvoted", max_outvoted);
   require_not_negative("max_last_step", max_last_step);
   require_not_negative("max_last_rotation_step", max_last_rotation_step);
 }

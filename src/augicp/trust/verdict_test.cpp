@@ -210,6 +210,31 @@ TEST(Verdict, ARivalMustSeeAsMuchWhereFreeSpaceIsUnknown) {
   EXPECT_TRUE(fits_as_well(rival, best));
 }
 
+// Two independent sayings about one pose: the weaker the one, the stronger must be the other.
+TEST(Verdict, APoseNearItsLimitsMustNotBeOutvoted) {
+  Evidence evidence = good_evidence();
+  evidence.moved = kMovedFromAnywhere;
+  evidence.source_in_target.count = evidence.target_in_source.count = {.agree = 700, .unseen = 300};
+  const double otherwise = strain(evidence);
+  ASSERT_LT(otherwise, 0.5);
+  evidence.outvoted = 0.9 * VerdictLimits{}.max_outvoted / otherwise;
+  EXPECT_GT(evidence.outvoted, 1.0);
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Converged);
+  EXPECT_NEAR(strain(evidence), 0.9, 1e-9);
+  evidence.outvoted = 1.1 * VerdictLimits{}.max_outvoted / otherwise;
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::Outvoted});
+  EXPECT_EQ(decide(AlignStatus::Converged, evidence).status, AlignStatus::Doubtful);
+}
+
+TEST(Verdict, NearerToTheGuessOtherPosesCountLess) {
+  Evidence evidence = good_evidence();
+  evidence.outvoted = 1.5 * VerdictLimits{}.max_outvoted / strain(evidence);
+  for (const auto& [moved, is_doubtful] : {std::pair{0.6, false}, {1.2, false}, {1.5, true}, {10.0, true}}) {
+    evidence.moved = moved;
+    EXPECT_EQ(!decide(AlignStatus::Converged, evidence).doubts.empty(), is_doubtful) << moved;
+  }
+}
+
 // Three bare planes fit any other three: there the guess must have been near. What else agrees makes up for a far one.
 TEST(Verdict, BarePlanesAreTrustedNearTheGuessOnly) {
   Evidence evidence = good_evidence();
@@ -330,6 +355,7 @@ TEST(Verdict, DoubtsAndFreeMotionsHaveTheirNames) {
   EXPECT_EQ(name_of(Doubt::FreeSpace), "free_space");
   EXPECT_EQ(name_of(Doubt::BarePlanes), "bare_planes");
   EXPECT_EQ(name_of(Doubt::OnlyPlanes), "only_planes");
+  EXPECT_EQ(name_of(Doubt::Outvoted), "outvoted");
   EXPECT_EQ(name_of(Doubt::LeftGuess), "left_guess");
   EXPECT_EQ(name_of(FreeMotion::Kind::Translation), "translation");
   EXPECT_EQ(name_of(FreeMotion::Kind::Rotation), "rotation");

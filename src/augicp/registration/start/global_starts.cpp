@@ -72,20 +72,21 @@ std::vector<Rigid3> best_on(const Level& level, const ScanPair& pair, std::span<
 
 }  // namespace
 
-std::vector<Rigid3> global_starts(const ScanPair& pair, const RegistrationOptions& options) {
+GlobalStarts global_starts(const ScanPair& pair, const RegistrationOptions& options) {
   CandidateOptions candidates;
   const double voxel_size = kVoxelPerRadius * pair.lengths.radius;
   candidates.voxel_size =
       std::max(feasible_voxel(pair.source.cloud, voxel_size), feasible_voxel(pair.target.cloud, voxel_size));
   candidates.num_threads = options.num_threads;
   candidates.stop = options.stop;
+  std::vector<SeedPose> seeds = candidate_poses(pair.source.cloud, pair.target.cloud, candidates);
   std::vector<Rigid3> starts;
-  for (const SeedPose& pose : candidate_poses(pair.source.cloud, pair.target.cloud, candidates))
-    starts.push_back(pose.target_from_source);
+  starts.reserve(seeds.size());
+  for (const SeedPose& pose : seeds) starts.push_back(pose.target_from_source);
   std::vector<Rigid3> kept = best_on(kCoarse, pair, starts, options);
   kept.insert(kept.end(), starts.begin(),
               starts.begin() + static_cast<std::ptrdiff_t>(std::min(kKeptBySupport, starts.size())));
-  return best_on(kMiddle, pair, kept, options);
+  return {best_on(kMiddle, pair, kept, options), std::move(seeds)};
 }
 
 }  // namespace augicp
