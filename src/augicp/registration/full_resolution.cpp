@@ -2,14 +2,12 @@
 #include "augicp/registration/full_resolution.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
-#include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/parallel.h"
-#include "augicp/match/ray_spacing.h"
 #include "augicp/registration/scan_match.h"
+#include "augicp/registration/scan_probe.h"
 #include "augicp/registration/start/rivals.h"
 #include "augicp/trust/motion_probe.h"
 
@@ -39,17 +37,6 @@ constexpr int kMaxRounds = 2;
 // A motion below this many radii is within the tolerance.
 constexpr double kMaxIdleMove = 0.5;
 
-// An image has far more points than the probe asks about.
-constexpr std::size_t kMaxTestedPixels = 20000;
-
-Cloud tested(const Scan& scan) {
-  return scan.view && scan.cloud.size() > kMaxTestedPixels ? evenly_chosen(scan.cloud, kMaxTestedPixels) : scan.cloud;
-}
-
-std::optional<Vec3f> known_place(const Scan& scan) {
-  return scan.place_is_known ? std::optional(assumed_place(scan.cloud)) : std::nullopt;
-}
-
 FreeDirections free_of(const AlignResult& result) {
   return {result.observability, static_cast<int>(result.free_motions.size())};
 }
@@ -61,20 +48,6 @@ Matchers matchers_of(const ScanPair& pair, const RegistrationOptions& options) {
   return both(
       options.num_threads, [&] { return matcher_for(pair.target, projective, pair.lengths); },
       [&] { return matcher_of_source(pair); });
-}
-
-// The same directions, those that are free first; else in their order.
-FreeDirections free_first(const Observability& seen, const std::vector<bool>& is_free) {
-  std::vector<Eigen::Index> order(6);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_partition(order.begin(), order.end(),
-                        [&](Eigen::Index k) { return is_free[static_cast<std::size_t>(k)]; });
-  FreeDirections free{seen, static_cast<int>(std::count(is_free.begin(), is_free.end(), true))};
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    free.seen.information[k] = seen.information[order[static_cast<std::size_t>(k)]];
-    free.seen.directions.col(k) = seen.directions.col(order[static_cast<std::size_t>(k)]);
-  }
-  return free;
 }
 
 }  // namespace
@@ -124,6 +97,7 @@ FreeDirections FullResolution::free_directions(const AlignResult& result, const 
   std::vector<bool> is_free(6, false);
   if (!probe.can_tell()) return free_of(result);
   std::vector<Vec6d> doubtful;
+  doubtful.reserve(static_cast<std::size_t>(num_doubtful));
   for (int k = 0; k < num_doubtful; ++k) doubtful.push_back(seen.directions.col(k));
   const std::vector<bool> is_spoken_of = probe.spoken_of(result.target_from_source, doubtful);
   for (std::size_t k = 0; k < doubtful.size(); ++k)
@@ -164,9 +138,8 @@ bool FullResolution::is_gain(const AlignResult& again, const AlignResult& result
 
 // The result from a start, once the scans have said which of its doubtful directions are free.
 AlignResult FullResolution::asked(AlignResult first, const Rigid3& start) const {
-  const Cloud source = tested(pair_.source), target = tested(pair_.target);
-  const MotionProbe probe({source, known_place(pair_.source)}, {target, known_place(pair_.target)},
-                          tolerance_of(pair_.target, pair_.lengths), pair_.lengths.radius);
+  const ScanProbe scans(pair_);
+  const MotionProbe& probe = scans.probe();
   const bool was_at_guess =
       first.free_motions.empty() || !guess_target_from_source_ || start.matrix() == guess_target_from_source_->matrix();
   // The way back to the guess may be long: a motion that is free nearby is not for ever.

@@ -15,6 +15,7 @@
 #include "augicp/registration/finer_balls.h"
 #include "augicp/registration/memory.h"
 #include "augicp/registration/scan_match.h"
+#include "augicp/registration/slid.h"
 #include "augicp/surface/ball_neighbourhood.h"
 #include "augicp/surface/gaussians.h"
 #include "augicp/surface/intensity_gradient.h"
@@ -99,8 +100,11 @@ Registration refined(Registration first, RawPair raw, const Guess& guess, const 
 Registration registered(PreparedPair pair, const Rigid3& guess, const RegistrationOptions& options) {
   std::optional<RawPair> raw = std::exchange(pair.raw, std::nullopt);
   AlignResult result = coarse_to_fine(pair, guess, options);
-  Registration first{std::move(result), std::move(pair)};
-  return raw ? refined(std::move(first), std::move(*raw), options.global ? Guess{} : guess, options) : std::move(first);
+  Registration found{std::move(result), std::move(pair)};
+  const Guess known = options.global ? Guess{} : guess;
+  if (raw) found = refined(std::move(found), std::move(*raw), known, options);
+  found.result = unless_slid(std::move(found.result), found.prepared, known, options);
+  return found;
 }
 
 AlignResult nothing_found(const Rigid3& initial_target_from_source) {
@@ -180,7 +184,9 @@ AlignResult register_prepared(const ScanPair& pair, const Rigid3& initial_target
   const Cloud &source = pair.source.cloud, &target = pair.target.cloud;
   if (!have_extent(pair)) return nothing_found(initial_target_from_source);
   const Rigid3 guess = without_origins(initial_target_from_source, source, target);
-  return between_frames(coarse_to_fine(pair, guess, options), source, target);
+  AlignResult found = coarse_to_fine(pair, guess, options);
+  found = unless_slid(std::move(found), pair, options.global ? Guess{} : Guess{guess}, options);
+  return between_frames(std::move(found), source, target);
 }
 
 Registration register_pair(PreparedPair pair, const Rigid3& initial_target_from_source,
@@ -211,7 +217,7 @@ std::vector<FoundPose> find_pose(Scan source, Scan target, RegistrationOptions o
   if (found.empty()) return found;
   Registration best{std::move(found.front().result), std::move(pair)};
   if (raw) best = refined(std::move(best), std::move(*raw), {}, options);
-  found.front() = {std::move(best.result), best.prepared.lengths};
+  found.front() = {unless_slid(std::move(best.result), best.prepared, {}, options), best.prepared.lengths};
   const Cloud &source_cloud = best.prepared.source.cloud, &target_cloud = best.prepared.target.cloud;
   for (auto& [result, lengths] : found) result = between_frames(std::move(result), source_cloud, target_cloud);
   return found;

@@ -40,6 +40,11 @@ constexpr double kMaxPlaceOffPlaneSq = 1e-4;  // of the variance along its longe
 constexpr double kMinShare = 0.013;
 constexpr double kMinDeviations = 4.0;
 
+// A direction holds the pose if a step of a radius loses this share on either side. Of directions that are below the
+// loop's limit right poses of objects lose 0.009 and more; poses that had slid along a wall, on the side of the right
+// one, 0.0016 at most.
+constexpr double kMinShareHeld = 0.005;
+
 constexpr double kSteps[] = {-3.0, -1.0, 1.0, 3.0};  // radii
 
 // The length of a motion: RMS of the points, metres.
@@ -191,35 +196,55 @@ std::vector<MotionProbe::Answer> MotionProbe::answers(const Rigid3& target_from_
   return all;
 }
 
-// 1: more points agree afterwards; -1: fewer.
-int MotionProbe::change(std::span<const Answer> before, std::span<const Answer> after) {
-  std::int64_t agreeing = 0, lost = 0, gained = 0;
+MotionProbe::Change MotionProbe::change(std::span<const Answer> before, std::span<const Answer> after) {
+  Change change;
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (before[k] == Answer::None || after[k] == Answer::None) continue;
-    agreeing += before[k] == Answer::Agrees;
-    lost += before[k] == Answer::Agrees && after[k] == Answer::Differs;
-    gained += before[k] == Answer::Differs && after[k] == Answer::Agrees;
+    change.agreeing += before[k] == Answer::Agrees;
+    change.lost += before[k] == Answer::Agrees && after[k] == Answer::Differs;
+    change.gained += before[k] == Answer::Differs && after[k] == Answer::Agrees;
   }
-  const auto change = static_cast<double>(std::abs(gained - lost));
-  const bool is_clear = change > kMinShare * static_cast<double>(agreeing) &&
-                        change > kMinDeviations * std::sqrt(static_cast<double>(lost + gained));
-  return !is_clear ? 0 : gained > lost ? 1 : -1;
+  return change;
+}
+
+// 1: clearly more points agree afterwards; -1: fewer.
+int MotionProbe::clear_change(const Change& change) {
+  const auto net = static_cast<double>(std::abs(change.gained - change.lost));
+  const bool is_clear = net > kMinShare * static_cast<double>(change.agreeing) &&
+                        net > kMinDeviations * std::sqrt(static_cast<double>(change.lost + change.gained));
+  return !is_clear ? 0 : change.gained > change.lost ? 1 : -1;
 }
 
 int MotionProbe::compared(const Rigid3& target_from_source, const Rigid3& with_target_from_source) const {
-  return change(answers(with_target_from_source), answers(target_from_source));
+  return clear_change(change(answers(with_target_from_source), answers(target_from_source)));
+}
+
+Vec6d MotionProbe::of_a_radius(const Vec6d& direction) const {
+  return radius_ / rms_motion(target_.cloud, direction) * direction;
 }
 
 std::vector<bool> MotionProbe::spoken_of(const Rigid3& target_from_source, std::span<const Vec6d> directions) const {
   const std::vector<Answer> before = answers(target_from_source);
   std::vector<bool> is_spoken_of;
-  for (const Vec6d& direction : directions) {
-    const Vec6d of_a_radius = radius_ / rms_motion(target_.cloud, direction) * direction;
+  for (const Vec6d& direction : directions)
     is_spoken_of.push_back(std::any_of(std::begin(kSteps), std::end(kSteps), [&](double radii) {
-      return change(before, answers(retract(target_from_source, radii * of_a_radius))) != 0;
+      const Rigid3 moved = retract(target_from_source, radii * of_a_radius(direction));
+      return clear_change(change(before, answers(moved))) != 0;
     }));
-  }
   return is_spoken_of;
+}
+
+std::vector<bool> MotionProbe::held_along(const Rigid3& target_from_source, std::span<const Vec6d> directions) const {
+  const std::vector<Answer> before = answers(target_from_source);
+  std::vector<bool> is_held;
+  for (const Vec6d& direction : directions) {
+    const auto loses = [&](double radii) {
+      const Change by_step = change(before, answers(retract(target_from_source, radii * of_a_radius(direction))));
+      return static_cast<double>(by_step.lost - by_step.gained) > kMinShareHeld * static_cast<double>(by_step.agreeing);
+    };
+    is_held.push_back(loses(1.0) && loses(-1.0));
+  }
+  return is_held;
 }
 
 }  // namespace augicp

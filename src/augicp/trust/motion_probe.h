@@ -46,6 +46,10 @@ class MotionProbe {
   // any length above zero.
   std::vector<bool> spoken_of(const Rigid3& target_from_source, std::span<const Vec6d> directions) const;
 
+  // Of each direction, whether one radius along it, and one against it, each takes more points off the other's surface
+  // than onto it. A pose that has slid along a direction is left by a step ahead or back without loss.
+  std::vector<bool> held_along(const Rigid3& target_from_source, std::span<const Vec6d> directions) const;
+
  private:
   enum class Answer : std::uint8_t { Agrees, Differs, None };
 
@@ -72,7 +76,12 @@ class MotionProbe {
   Answer answer(const Asked& scan, std::uint32_t point, const Rigid3& other_from_scan, const Asked& other) const;
   Answer answer_of(const Asked& other, std::uint32_t point, const Extended& here) const;
   std::vector<Answer> answers(const Rigid3& target_from_source) const;
-  static int change(std::span<const Answer> before, std::span<const Answer> after);
+  struct Change {
+    std::int64_t agreeing = 0, lost = 0, gained = 0;  // of the points that answer before and after
+  };
+  static Change change(std::span<const Answer> before, std::span<const Answer> after);
+  static int clear_change(const Change& change);
+  Vec6d of_a_radius(const Vec6d& direction) const;
 
   AgreementTolerance tolerance_;
   double radius_;

@@ -69,6 +69,24 @@ TEST(MotionProbe, ComparesPosesByThePointsOnTheSurface) {
   EXPECT_EQ(probe.compared(beside, {}), 0);
 }
 
+// A step back towards the right pose loses nothing.
+TEST(MotionProbe, APoseThatHasSlidIsNotHeld) {
+  std::mt19937 generator(1);
+  const testing::DegenerateFamily plane = testing::degenerate_families()[0];
+  const Cloud source = drawn(plane, generator), target = drawn(plane, generator);
+  const MotionProbe probe(source, target, kProbeTolerance, kRadius_m);
+  Vec3d normal = Vec3d::Zero();
+  for (std::size_t i = 0; i < target.size(); ++i)
+    if (target.structures[i] == Structure::Planar) normal = target.directions[i].cast<double>();
+  const std::vector<Vec6d> across{translation(normal), translation(-3.0 * normal)};
+  EXPECT_EQ(probe.held_along({}, across), std::vector<bool>(2, true));
+  const Rigid3 slid = retract({}, translation(kRadius_m * normal));
+  EXPECT_EQ(probe.held_along(slid, across), std::vector<bool>(2, false));
+  EXPECT_EQ(probe.spoken_of(slid, across), std::vector<bool>(2, true));
+  const Vec6d along = plane.free_motions[0].normalized();
+  EXPECT_EQ(probe.held_along({}, std::vector{along}), std::vector<bool>(1, false));
+}
+
 // Scan lines on a bare wall move with the sensor: both scans agree best where it seems to stand still.
 TEST(MotionProbe, ScanLinesSayNothingOfTheWayAlongACorridor) {
   const testing::Scene scene = synthetic::corridor();
