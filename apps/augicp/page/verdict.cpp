@@ -136,7 +136,7 @@ std::string badge_class(AlignStatus status) {
 
 std::string verdict_html(const AlignReport& report) {
   const AlignResult& result = report.result;
-  std::string advice = advice_for(result.status);
+  std::string advice = advice_for(result);
   advice.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(advice.front())));
   std::string html = fmt::format("<p><b class=\"{}\">{}</b>. {}.</p>\n", badge_class(result.status),
                                  escaped_html(name_of(result.status)), escaped_html(advice));

@@ -161,13 +161,22 @@ std::optional<Uncertainty> uncertainty(const AlignReport& report) {
                      std::sqrt(about_centre.bottomRightCorner<3, 3>().trace())};
 }
 
-std::string advice_for(AlignStatus status) {
-  switch (status) {
+// The doubts in parentheses; nothing without any.
+std::string doubts_text(const AlignResult& result) {
+  std::string text;
+  for (const Doubt doubt : result.doubts) text += fmt::format("{}{}", text.empty() ? " (" : ", ", name_of(doubt));
+  return text.empty() ? text : text + ")";
+}
+
+std::string advice_for(const AlignResult& result) {
+  switch (result.status) {
     case AlignStatus::Converged:
       return "the clouds agree on this pose, in both directions";
     case AlignStatus::IterationLimit:
       return "doubtful: still moving; allow more with --max-iterations, or give a better --initial";
     case AlignStatus::Degenerate:
+      if (!result.doubts.empty())
+        return "the data leave a motion free, and the evidence is against the rest" + doubts_text(result);
       return "the data leave a motion free; do not rely on the pose along it";
     case AlignStatus::TooFewPairs:
       return "failed: too few points, or points without extent";
@@ -176,7 +185,8 @@ std::string advice_for(AlignStatus status) {
     case AlignStatus::Diverged:
       return "failed: a number is no longer finite";
     case AlignStatus::Doubtful:
-      return "a pose was found, but the clouds contradict it; give a better --initial, or they have no common surface";
+      return "a pose was found, but the evidence is against it" + doubts_text(result) +
+             "; give a better --initial, or they have no common surface";
     case AlignStatus::Ambiguous:
       return "the clouds agree on this pose, and on a clearly different one as well; runners_up has those";
   }
@@ -216,9 +226,9 @@ nlohmann::ordered_json to_json(const AlignReport& report) {
 
 std::string to_text(const AlignReport& report) {
   const AlignResult& result = report.result;
-  std::string text = fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iteration{}: {}\n", report.source,
-                                 report.target, name_of(result.status), result.iterations,
-                                 result.iterations == 1 ? "" : "s", advice_for(result.status));
+  std::string text =
+      fmt::format("source   {}\ntarget   {}\nstatus   {} after {} iteration{}: {}\n", report.source, report.target,
+                  name_of(result.status), result.iterations, result.iterations == 1 ? "" : "s", advice_for(result));
   text += few_points_text(report) + fit_text(result) + uncertainty_text(report);
   if (report.options.intensity)
     text += result.num_intensity_pairs > 0

@@ -49,6 +49,6 @@ nlohmann::ordered_json to_json(const AlignReport& report);
 std::string to_text(const AlignReport& report);
 
 // The meaning of a status and the advice, a sentence without its full stop.
-std::string advice_for(AlignStatus status);
+std::string advice_for(const AlignResult& result);
 
 }  // namespace augicp::app

@@ -167,6 +167,14 @@ AlignResult between_images(const ScanPair& pair, const Rigid3& guess, const Regi
   return with_votes(with_runners_up(best_first(std::move(results)), pair), pair, global.seeds);
 }
 
+// Of two clearly different poses that both have converged at most one is right.
+void disown(AlignResult& other, const AlignResult& best, const ScanPair& pair) {
+  if (other.status == AlignStatus::Converged && has_pose(best.status) &&
+      differ_clearly(pair.source.cloud, other.target_from_source, best.target_from_source,
+                     kClearlyPerRadius * pair.lengths.radius))
+    other.status = AlignStatus::Ambiguous;
+}
+
 }  // namespace
 
 AlignResult coarse_to_fine(const ScanPair& pair, const Rigid3& guess_target_from_source,
@@ -197,8 +205,12 @@ std::vector<AlignResult> from_anywhere(const ScanPair& pair, const RegistrationO
     results.push_back(has_images ? from_start_of_images(pair, {starts[k], turn}, Guess{}, options)
                                  : full.from(starts[k], turn));
   }
-  std::stable_sort(results.begin(), results.end(), is_better);
-  if (!results.empty()) results.front() = with_votes(with_runners_up(results, pair), pair, global.seeds);
+  if (results.empty()) return results;
+  results = best_first(std::move(results));
+  if (!has_images) results = with_rivals(std::move(results), pair, full, options);
+  std::stable_sort(results.begin() + 1, results.end(), is_better);
+  results.front() = with_votes(with_runners_up(results, pair), pair, global.seeds);
+  std::for_each(results.begin() + 1, results.end(), [&](AlignResult& other) { disown(other, results.front(), pair); });
   return results;
 }
 

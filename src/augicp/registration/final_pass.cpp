@@ -55,6 +55,7 @@ std::optional<Registration> aligned_finer(const Registration& first, RawPair raw
   again = judged_like_first(std::move(again), first.prepared, guess, options);
   if (again.status != AlignStatus::Converged) return std::nullopt;
   again.evidence->outvoted = first.result.evidence->outvoted;
+  if (strain(*again.evidence) > 1.0) return std::nullopt;
   return Registration{std::move(again), std::move(finer)};
 }
 

@@ -34,6 +34,7 @@ Evidence evidence_of(const Judge& judge_of_first, const Rigid3& target_from_sour
   evidence.last_step = in_finer.last_step;
   evidence.last_rotation_step = in_finer.last_rotation_step;
   evidence.moved = in_finer.moved;
+  evidence.outvoted = in_finer.outvoted;
   return evidence;
 }
 

@@ -121,6 +121,20 @@ TEST(FindPose, BestFirstWithEvidence) {
     EXPECT_GE(strain(*found[k].result.evidence), strain(*found[0].result.evidence));
 }
 
+// A stool has three equal legs: each of its poses would converge alone.
+TEST(FindPose, OfSeveralPosesThatFitNoneConverges) {
+  const ObjectPair pair = object_anywhere("stool", 1);
+  const auto found = find_pose(scan_of(pair.source), scan_of(pair.target));
+  ASSERT_GE(found.size(), 2u);
+  EXPECT_EQ(found.front().result.status, AlignStatus::Ambiguous);
+  std::size_t num_ambiguous = 0;
+  for (const FoundPose& one : found) {
+    EXPECT_NE(one.result.status, AlignStatus::Converged);
+    num_ambiguous += one.result.status == AlignStatus::Ambiguous ? 1 : 0;
+  }
+  EXPECT_GE(num_ambiguous, 2u);
+}
+
 TEST(FindPose, OfEmptyAndSinglePointsIsNothing) {
   const Cloud bracket = object_anywhere("bracket", 1).source;
   Cloud point;

@@ -53,9 +53,9 @@ struct FoundPose {
 };
 
 // The motion between two raw scans of which nothing is known: every pose that was found, the best first, each with its
-// evidence. The first has the status that register_scans() gives with RegistrationOptions::global, the others have
-// those that they would have alone. Empty if the scans have nothing alike. Throws std::invalid_argument for the paper's
-// preset.
+// evidence. The first has the status that register_scans() gives with RegistrationOptions::global, the others
+// have those that they would have alone, but none that differs clearly from the first is Converged. Empty if the scans
+// have nothing alike. Throws std::invalid_argument for the paper's preset.
 std::vector<FoundPose> find_pose(Scan source, Scan target, RegistrationOptions options = {});
 
 }  // namespace augicp

@@ -12,19 +12,17 @@ namespace {
 // are one, see candidate_poses().
 constexpr double kOffPerRadius = 1.5;
 
-constexpr double kOnePair = 1.0;
-
 }  // namespace
 
 double outvoted(const Cloud& source, const Rigid3& target_from_source, std::span<const SeedPose> seeds, double radius) {
-  double own = kOnePair, other = 0.0;
+  double own = 0.0, other = 0.0;
   for (const SeedPose& seed : seeds) {
     const bool differs = differ_clearly(source, seed.target_from_source, target_from_source,
                                         (kClearlyPerRadius + kOffPerRadius) * radius);
     double& largest = differs ? other : own;
     largest = std::max(largest, seed.support);
   }
-  return other / own;
+  return own > 0.0 ? other / own : 0.0;
 }
 
 }  // namespace augicp

@@ -42,9 +42,7 @@ TEST(Votes, WithoutASeedElsewhereNothingSpeaksAgainstThePose) {
   EXPECT_EQ(outvoted_at_zero({{{}, 3.0}}), 0.0);
 }
 
-TEST(Votes, APoseThatNoSeedProposedHasTheSupportOfOnePair) {
-  EXPECT_DOUBLE_EQ(outvoted_at_zero({{shifted(1.0), 25.0}}), 25.0);
-}
+TEST(Votes, OfAPoseThatNoSeedProposedTheySayNothing) { EXPECT_EQ(outvoted_at_zero({{shifted(1.0), 25.0}}), 0.0); }
 
 }  // namespace
 }  // namespace augicp
