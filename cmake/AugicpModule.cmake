@@ -23,13 +23,11 @@ if(AUGICP_SANITIZE)
   if(AUGICP_SANITIZE MATCHES address AND AUGICP_SANITIZE MATCHES undefined)
     # Accesses beyond an object: on the heap, the stack and in globals the address sanitizer finds them too.
     target_compile_options(augicp_build_flags INTERFACE -fno-sanitize=object-size)
+    # Checks make Eigen's small functions too long for the compiler's limit of inlining: each access of a matrix would be a chain of calls.
+    target_compile_definitions(augicp_build_flags INTERFACE "EIGEN_STRONG_INLINE=inline __attribute__((always_inline))")
   endif()
   target_link_options(augicp_build_flags INTERFACE -fsanitize=${AUGICP_SANITIZE})
 endif()
-
-# The preset dev raises clang's limit of inlining with it: checks make Eigen's small functions too large to inline. Files of tests
-# would take longer to compile for nothing: their time is spent in the library and in generating scenes.
-set(AUGICP_LIBRARY_OPTIONS "" CACHE STRING "Options of the compiler for the library and the generated scenes alone")
 
 if(AUGICP_BUILD_FUZZERS)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
@@ -51,7 +49,6 @@ function(augicp_module name)
   set_target_properties(augicp_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON LINKER_LANGUAGE CXX)
   list(TRANSFORM arg_DEPENDS PREPEND augicp_)
   target_link_libraries(augicp_${name} PUBLIC Eigen3::Eigen ${arg_DEPENDS} PRIVATE augicp_build_flags ${arg_PRIVATE})
-  target_compile_options(augicp_${name} PRIVATE ${AUGICP_LIBRARY_OPTIONS})
   target_include_directories(augicp_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   # The definitions of its private libraries are flags of its own.
   set(kind library)
