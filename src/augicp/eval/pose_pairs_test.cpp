@@ -36,56 +36,57 @@ std::vector<MatchedPose> frames(int count) {
   return poses_at(numbers, numbers);
 }
 
-Indices pairs(const std::vector<MatchedPose>& poses, const DeltaOptions& options) {
+Indices pairs_of_poses(const std::vector<MatchedPose>& poses, const DeltaOptions& options) {
   Indices indices;
   for (const PosePair& pair : pairs_at_delta(poses, options)) indices.emplace_back(pair.first, pair.second);
   return indices;
 }
 
 TEST(PosePairs, FramesFromEveryPose) {
-  EXPECT_THAT(pairs(frames(4), {}), ElementsAre(Pair(0, 1), Pair(1, 2), Pair(2, 3)));
-  EXPECT_THAT(pairs(frames(5), {.delta = 3}), ElementsAre(Pair(0, 3), Pair(1, 4)));
-  EXPECT_EQ(pairs(frames(100), {.delta = 20}).size(), 80u);  // none is let in by a tolerance at the end
-  EXPECT_TRUE(pairs(frames(3), {.delta = 3}).empty());
-  EXPECT_TRUE(pairs(frames(3), {.delta = 1e300}).empty());
+  EXPECT_THAT(pairs_of_poses(frames(4), {}), ElementsAre(Pair(0, 1), Pair(1, 2), Pair(2, 3)));
+  EXPECT_THAT(pairs_of_poses(frames(5), {.delta = 3}), ElementsAre(Pair(0, 3), Pair(1, 4)));
+  EXPECT_EQ(pairs_of_poses(frames(100), {.delta = 20}).size(), 80u);  // none is let in by a tolerance at the end
+  EXPECT_TRUE(pairs_of_poses(frames(3), {.delta = 3}).empty());
+  EXPECT_TRUE(pairs_of_poses(frames(3), {.delta = 1e300}).empty());
 }
 
 TEST(PosePairs, FramesOneAfterTheOther) {
-  EXPECT_THAT(pairs(frames(8), {.delta = 3, .consecutive = true}), ElementsAre(Pair(0, 3), Pair(3, 6)));
-  EXPECT_TRUE(pairs(frames(3), {.delta = 3, .consecutive = true}).empty());
+  EXPECT_THAT(pairs_of_poses(frames(8), {.delta = 3, .consecutive = true}), ElementsAre(Pair(0, 3), Pair(3, 6)));
+  EXPECT_TRUE(pairs_of_poses(frames(3), {.delta = 3, .consecutive = true}).empty());
 }
 
 TEST(PosePairs, SecondsGoToTheNearestStampWithinATenth) {
   const auto poses = poses_at({0.0, 0.5, 0.96, 1.02, 1.6, 3.0}, {0, 0, 0, 0, 0, 0});
   const DeltaOptions second{.delta = 1.0, .unit = DeltaUnit::Seconds};
   // 0.5 -> 1.6 is a tenth too far; from 0.96 on there is nothing near.
-  EXPECT_THAT(pairs(poses, second), ElementsAre(Pair(0, 3)));
+  EXPECT_THAT(pairs_of_poses(poses, second), ElementsAre(Pair(0, 3)));
   const DeltaOptions shorter{.delta = 0.55, .unit = DeltaUnit::Seconds};
-  EXPECT_THAT(pairs(poses, shorter), ElementsAre(Pair(0, 1), Pair(1, 3), Pair(3, 4)));
+  EXPECT_THAT(pairs_of_poses(poses, shorter), ElementsAre(Pair(0, 1), Pair(1, 3), Pair(3, 4)));
 }
 
 TEST(PosePairs, OfTwoEquallyNearTheEarlierIsTaken) {
   const auto poses = poses_at({0.0, 0.9375, 1.0625}, {0, 0, 0});
-  EXPECT_THAT(pairs(poses, {.delta = 1.0, .unit = DeltaUnit::Seconds}), ElementsAre(Pair(0, 1)));
+  EXPECT_THAT(pairs_of_poses(poses, {.delta = 1.0, .unit = DeltaUnit::Seconds}), ElementsAre(Pair(0, 1)));
 }
 
 TEST(PosePairs, SecondsOneAfterTheOtherAreAtLeastDelta) {
   const auto poses = poses_at({0.0, 0.9, 1.1, 2.0, 2.2, 5.0}, {0, 0, 0, 0, 0, 0});
-  EXPECT_THAT(pairs(poses, {.delta = 1.0, .unit = DeltaUnit::Seconds, .consecutive = true}),
+  EXPECT_THAT(pairs_of_poses(poses, {.delta = 1.0, .unit = DeltaUnit::Seconds, .consecutive = true}),
               ElementsAre(Pair(0, 2), Pair(2, 4), Pair(4, 5)));
 }
 
 TEST(PosePairs, MetresAreThoseOfTheTruePathThereAndBack) {
   const auto poses = poses_at({0, 1, 2, 3, 4}, {0.0, 0.5, 1.0, 0.5, 0.0});
-  EXPECT_THAT(pairs(poses, {.delta = 1.0, .unit = DeltaUnit::Metres}), ElementsAre(Pair(0, 2), Pair(1, 3), Pair(2, 4)));
-  EXPECT_THAT(pairs(poses, {.delta = 1.0, .unit = DeltaUnit::Metres, .consecutive = true}),
+  EXPECT_THAT(pairs_of_poses(poses, {.delta = 1.0, .unit = DeltaUnit::Metres}),
+              ElementsAre(Pair(0, 2), Pair(1, 3), Pair(2, 4)));
+  EXPECT_THAT(pairs_of_poses(poses, {.delta = 1.0, .unit = DeltaUnit::Metres, .consecutive = true}),
               ElementsAre(Pair(0, 2), Pair(2, 4)));
 }
 
 TEST(PosePairs, OfACameraThatStandsStillTheEarlierPoseIsTaken) {
   const auto poses = poses_at({0, 1, 2, 3, 4, 5}, {0.0, 0.96, 0.96, 0.96, 1.08, 1.08});
-  EXPECT_THAT(pairs(poses, {.delta = 1.0, .unit = DeltaUnit::Metres}), ElementsAre(Pair(0, 1)));
-  EXPECT_TRUE(pairs(poses_at({0, 1, 2}, {1, 1, 1}), {.delta = 1.0, .unit = DeltaUnit::Metres}).empty());
+  EXPECT_THAT(pairs_of_poses(poses, {.delta = 1.0, .unit = DeltaUnit::Metres}), ElementsAre(Pair(0, 1)));
+  EXPECT_TRUE(pairs_of_poses(poses_at({0, 1, 2}, {1, 1, 1}), {.delta = 1.0, .unit = DeltaUnit::Metres}).empty());
 }
 
 // The definition, the slow way.
@@ -113,21 +114,21 @@ TEST(PosePairs, AgreeWithTheSlowWay) {
     while (places.size() < stamps_s.size()) places.push_back(places.back() + testing::uniform(generator, -0.3, 0.5));
     const auto poses = poses_at(stamps_s, places);
     for (const double delta : {0.1, 1.0, 3.0})
-      EXPECT_EQ(pairs(poses, {.delta = delta, .unit = DeltaUnit::Metres}), slow_pairs(poses, delta));
+      EXPECT_EQ(pairs_of_poses(poses, {.delta = delta, .unit = DeltaUnit::Metres}), slow_pairs(poses, delta));
   }
 }
 
 TEST(PosePairs, OfFewPosesAreNone) {
   for (const DeltaUnit unit : {DeltaUnit::Frames, DeltaUnit::Seconds, DeltaUnit::Metres})
     for (const bool consecutive : {false, true})
-      for (const int count : {0, 1}) EXPECT_TRUE(pairs(frames(count), {1.0, unit, consecutive}).empty());
+      for (const int count : {0, 1}) EXPECT_TRUE(pairs_of_poses(frames(count), {1.0, unit, consecutive}).empty());
 }
 
 TEST(PosePairs, DeltasOutOfRangeAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double delta : {0.0, -1.0, nan, inf})
-    EXPECT_THROW(pairs({}, {.delta = delta, .unit = DeltaUnit::Seconds}), std::invalid_argument) << delta;
-  EXPECT_THROW(pairs({}, {.delta = 1.5}), std::invalid_argument);
+    EXPECT_THROW(pairs_of_poses({}, {.delta = delta, .unit = DeltaUnit::Seconds}), std::invalid_argument) << delta;
+  EXPECT_THROW(pairs_of_poses({}, {.delta = 1.5}), std::invalid_argument);
 }
 
 }  // namespace
