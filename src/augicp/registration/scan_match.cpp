@@ -13,11 +13,11 @@ namespace {
 
 // How far two readings of the same place may be apart: cameras err with depth, and so does a pose's rotation. Without a
 // camera it is the ball in which surfaces were estimated.
-constexpr double kDistancePerRadius = 0.2;
-constexpr double kDistancePerDepth = 0.025;
+constexpr double kPairDistancePerRadius = 0.2;
+constexpr double kPairDistancePerDepth = 0.025;
 
 AgreementTolerance tolerance_for(const Scan& scan, const Lengths& lengths, Association association) {
-  if (is_projective(scan, association)) return {kDistancePerRadius * lengths.radius, kDistancePerDepth};
+  if (is_projective(scan, association)) return {kPairDistancePerRadius * lengths.radius, kPairDistancePerDepth};
   return {lengths.radius};
 }
 

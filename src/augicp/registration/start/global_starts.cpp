@@ -14,16 +14,16 @@ namespace {
 
 // Part of the ball in which surfaces are estimated: descriptors of five and ten voxels are of two and a half and five
 // balls, a twelfth and a sixth of the extent.
-constexpr double kVoxelPerRadius = 0.5;
+constexpr double kSeedVoxelPerRadius = 0.5;
 
-constexpr std::size_t kMaxCandidates = 4;
+constexpr std::size_t kMaxGlobalCandidates = 4;
 
 // The best supported candidates are led on with more points whatever few points say of them: at little overlap these
 // take the right one for less plausible than others.
 constexpr std::size_t kKeptBySupport = 2;
 
 // Poses that are led on, of those proposed: leading one on costs as much as comparing the clouds seven times.
-constexpr std::size_t kMaxLedOn = 24;
+constexpr std::size_t kMaxSeedsLedOn = 24;
 
 // How finely the scans are seen, and for how many iterations.
 struct Level {
@@ -48,12 +48,12 @@ AlignOptions led_on_by(const Level& level, const ScanMatch& match, const Lengths
 
 // The most plausible starts as they are.
 std::vector<Rigid3> most_plausible(const ScanMatch& match, std::span<const Rigid3> starts, int num_threads) {
-  if (starts.size() <= kMaxLedOn) return {starts.begin(), starts.end()};
+  if (starts.size() <= kMaxSeedsLedOn) return {starts.begin(), starts.end()};
   std::vector<Hypothesis> all = as_they_are(match, starts, num_threads);
   std::stable_sort(all.begin(), all.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return a.plausibility > b.plausibility; });
   std::vector<Rigid3> best;
-  for (const Hypothesis& start : std::span(all).first(kMaxLedOn)) best.push_back(start.target_from_source);
+  for (const Hypothesis& start : std::span(all).first(kMaxSeedsLedOn)) best.push_back(start.target_from_source);
   return best;
 }
 
@@ -65,7 +65,8 @@ std::vector<Rigid3> best_on(const Level& level, const ScanPair& pair, std::span<
   const std::vector<Rigid3> kept = most_plausible(match, starts, options.num_threads);
   const AlignOptions by = led_on_by(level, match, pair.lengths);
   std::vector<Rigid3> best;
-  for (const Hypothesis& found : best_of(led_on(match, kept, by), kMaxCandidates, pair.lengths.radius, kSameAngle))
+  for (const Hypothesis& found :
+       best_of(led_on(match, kept, by), kMaxGlobalCandidates, pair.lengths.radius, kSameAngle))
     best.push_back(found.target_from_source);
   return best;
 }
@@ -74,7 +75,7 @@ std::vector<Rigid3> best_on(const Level& level, const ScanPair& pair, std::span<
 
 GlobalStarts global_starts(const ScanPair& pair, const RegistrationOptions& options) {
   CandidateOptions candidates;
-  const double voxel_size = kVoxelPerRadius * pair.lengths.radius;
+  const double voxel_size = kSeedVoxelPerRadius * pair.lengths.radius;
   candidates.voxel_size =
       std::max(feasible_voxel(pair.source.cloud, voxel_size), feasible_voxel(pair.target.cloud, voxel_size));
   candidates.num_threads = options.num_threads;

@@ -16,7 +16,7 @@ namespace {
 
 // A few iterations tell which starts are worth leading on.
 constexpr int kFirstIterations = 3, kIterations = 20;
-constexpr std::size_t kMaxLedOn = 4;
+constexpr std::size_t kMaxRivalsLedOn = 4;
 
 // On few points a pose that fits as well is less plausible than the one found by chance, but not by more than this.
 constexpr double kLessPlausible = 0.2;
@@ -135,7 +135,7 @@ std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_targ
   auto begun =
       scouted(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by, is_back);
   erase_hopeless(begun, least - kMaxGain);
-  begun = best_of(std::move(begun), kMaxLedOn, pair.lengths.radius, kSameAngle);
+  begun = best_of(std::move(begun), kMaxRivalsLedOn, pair.lengths.radius, kSameAngle);
   std::vector<Rigid3> starts;
   starts.reserve(begun.size());
   for (const Hypothesis& start : begun) starts.push_back(start.target_from_source);
