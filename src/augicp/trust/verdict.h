@@ -117,8 +117,8 @@ struct VerdictLimits {
   // largest ratio of all other evidence to its limit, and nearer to a guess in proportion: a pose that everything else
   // supports well may have fewer than another, one near a limit must have more. Right poses of rooms, streets, objects,
   // fragments and LiDAR scans have up to 0.51 in 156 pairs, of other scenes up to 0.7 but for a street of 1.07; wrong
-  // ones near the other limits have 1.0 and more.
-  double max_outvoted = 0.9;
+  // ones near the other limits have 0.83 and more.
+  double max_outvoted = 0.75;
 
   // The loop has settled if its last step is below these, in extents and radians. Correspondences of pixels change with
   // every step, so it may move by a tenth of a millimetre for ever. Far from a minimum its steps stay above these.
