@@ -44,7 +44,8 @@ constexpr const char* kFindDoc = R"(Finds the rigid motion between two clouds of
 
 Returns a list of Result: every pose that was found, the best first, each with its evidence. The first one is that of
 align(source, target, initial="global"); the others have the status that they would have alone, but none that differs
-clearly from the first one is converged. Empty if the clouds have nothing alike. source, target, threads, progress, options and exceptions: as of align().
+clearly from the first one is converged. Empty if the clouds have nothing alike. source, target, threads, progress,
+options and exceptions: as of align().
 )";
 
 // What a result says of its options: they are those in effect.

@@ -44,9 +44,8 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
           100.0 * one.off_planes, 100.0 * other.off_planes);
     case Doubt::Outvoted:
       return fmt::format(
-          "Far from the guess, {:.1f} times as many pairs of points that look alike support a clearly different pose, "
-          "too "
-          "many for what else is known of this one.",
+          "Far from the guess. {:.1f} times as many pairs of similar points support a clearly different pose. "
+          "The other evidence is too weak for that.",
           evidence.outvoted);
     case Doubt::LeftGuess:
       return "The pose is not at the guess along what is free.";

@@ -9,7 +9,7 @@
 
 namespace augicp {
 
-// Of normally distributed numbers, the standard deviation by the median of their sizes.
+// The standard deviation of normally distributed numbers, divided by the median of their sizes.
 inline constexpr double kSigmaPerMedian = 1.4826;
 
 // The upper median of the values that are at least +0. Negative values and -0 mark missing errors and are skipped. 0 if

@@ -47,7 +47,7 @@ inline double typical_distance(double voxel_size) { return kTypicalDistanceVoxel
 inline constexpr double kTrustedSpans = 3.0;
 inline constexpr double kForgottenSpans = 10.0;
 
-// Of the sweep, the moment to which poses refer.
+// The moment to which poses refer, as a share of the sweep.
 inline double share_of(PoseInstant instant) {
   return instant == PoseInstant::Begin ? 0.0 : instant == PoseInstant::End ? 1.0 : 0.5;
 }

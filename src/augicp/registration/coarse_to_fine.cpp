@@ -167,7 +167,7 @@ AlignResult between_images(const ScanPair& pair, const Rigid3& guess, const Regi
   return with_votes(with_runners_up(best_first(std::move(results)), pair), pair, global.seeds);
 }
 
-// Of two clearly different poses that both have converged at most one is right.
+// At most one of two clearly different poses is right, even if both have converged.
 void disown(AlignResult& other, const AlignResult& best, const ScanPair& pair) {
   if (other.status == AlignStatus::Converged && has_pose(best.status) &&
       differ_clearly(pair.source.cloud, other.target_from_source, best.target_from_source,
