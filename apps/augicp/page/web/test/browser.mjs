@@ -24,7 +24,8 @@ export async function launch() {
 // check(page) in a page of its own, with options of the browser's context, the hash of the address, an initScript, and withoutWebGl, of which nothing may be loaded but the file, and no error logged.
 export async function inPage(browser, file, options, check) {
   const { hash = "", withoutWebGl = false, initScript = null, ...given } = options;
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...given });
+  // A little wider than where the page puts its parts side by side: without a graphics card the time to draw goes with the pixels.
+  const context = await browser.newContext({ viewport: { width: 960, height: 540 }, ...given });
   context.setDefaultTimeout(kPatience_ms);
   const page = await context.newPage();
   const url = pathToFileURL(file).href;
