@@ -105,7 +105,7 @@ function(augicp_module_tests name)
     set(kind test_of_${name})
   endif()
   augicp_precompile(augicp_${name}_test ${kind} ${AUGICP_TEST_HEADERS})
-  augicp_unity(augicp_${name}_test TEST)
+  augicp_unity(augicp_${name}_test)
   gtest_discover_tests(augicp_${name}_test TEST_PREFIX "${name}: " NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST
     PROPERTIES TIMEOUT 300 ${AUGICP_DECIMAL_COMMA})
 endfunction()

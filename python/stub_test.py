@@ -118,8 +118,9 @@ def test_pyproject_is_sound():
     assert (PROJECT / project["project"]["readme"]).exists()
     own = [name for name in project["tool"]["scikit-build"]["cmake"]["define"] if name.startswith("AUGICP_")]
     assert own
+    settings = "".join(file.read_text() for file in [PROJECT / "CMakeLists.txt", *(PROJECT / "cmake").glob("*.cmake")])
     for name in own:
-        assert name in (PROJECT / "CMakeLists.txt").read_text() + (PROJECT / "cmake/AugicpPython.cmake").read_text(), name
+        assert name in settings, name
 
 
 def test_help_can_be_read():

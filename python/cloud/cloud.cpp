@@ -15,7 +15,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(Points, and what is known of the surface around them. It cannot be changed.
+constexpr const char* kCloudDoc = R"(Points, and what is known of the surface around them. It cannot be changed.
 
 points: (N, 3) array of any real type and strides, metres. It is copied, and may change afterwards. Points that are not
   finite, or beyond 1e18, are dropped with all their attributes; masked points count as not finite.
@@ -109,7 +109,7 @@ py::object image_shape(const ColouredScan& scan) {
   return py::make_tuple(scan.view->index.height, scan.view->index.width);
 }
 
-py::object as_array(const py::object& self, const py::object& dtype, const py::object& copy) {
+py::object as_numpy(const py::object& self, const py::object& dtype, const py::object& copy) {
   if (!copy.is_none() && !copy.cast<bool>()) throw std::invalid_argument("copy=False: the array must be made");
   py::array array = positions(self.cast<const ColouredScan&>());
   return dtype.is_none() ? array : array.attr("astype")(dtype);
@@ -119,7 +119,7 @@ ColouredScan transformed(const ColouredScan& scan, const py::object& matrix) {
   return ColouredScan(scan_of(transform(scan.cloud, rigid3_from(matrix, "matrix"))), scan.colours);
 }
 
-std::string in_words(const ColouredScan& scan) {
+std::string cloud_in_words(const ColouredScan& scan) {
   std::string text = "Cloud(" + std::to_string(scan.cloud.size()) + " points";
   if (scan.view)
     text += " of a " + std::to_string(scan.view->index.width) + " x " + std::to_string(scan.view->index.height) +
@@ -156,13 +156,13 @@ void bind_arrays(CloudType& type) {
                              "cloud's own memory, like points_from_origin.");
   type.def_property_readonly("viewpoint", &viewpoint, "(3,) float64, position of the sensor, metres; or None.");
   type.def_property_readonly("image_shape", &image_shape, "(height, width) of its depth image; or None.");
-  type.def("__array__", &as_array, py::arg("dtype") = py::none(), py::arg("copy") = py::none(), "The same as points.");
+  type.def("__array__", &as_numpy, py::arg("dtype") = py::none(), py::arg("copy") = py::none(), "The same as points.");
 }
 
 }  // namespace
 
 void bind_cloud(py::module_& module) {
-  CloudType type(module, "Cloud", kDoc);
+  CloudType type(module, "Cloud", kCloudDoc);
   type.def(py::init(&from_points), py::arg("points"), py::arg("normals") = py::none(),
            py::arg("structures") = py::none(), py::arg("viewpoint") = py::none(), py::arg("intensities") = py::none(),
            py::arg("colors") = py::none());
@@ -174,7 +174,7 @@ void bind_cloud(py::module_& module) {
       "A new cloud in another frame, with the attributes of all points: matrix is 4 x 4 and maps this frame to that "
       "one. No depth image any more.");
   type.def("__len__", [](const ColouredScan& scan) { return scan.cloud.size(); });
-  type.def("__repr__", &in_words);
+  type.def("__repr__", &cloud_in_words);
   type.def(py::pickle(&state_of, &scan_of_state));
 }
 

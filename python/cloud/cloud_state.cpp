@@ -34,7 +34,7 @@ std::vector<Item> items_of(const py::handle& bytes) {
   return items;
 }
 
-py::object state_of(const std::optional<Scan::View>& view) {
+py::object state_of_view(const std::optional<Scan::View>& view) {
   if (!view) return py::none();
   const auto& [fx, fy, cx, cy, width, height] = view->camera;
   return py::make_tuple(view->index.width, view->index.height, bytes_of(view->index.index),
@@ -70,7 +70,7 @@ py::tuple state_of(const ColouredScan& scan) {
   if (cloud.viewpoint) viewpoint = py::make_tuple(cloud.viewpoint->x(), cloud.viewpoint->y(), cloud.viewpoint->z());
   return py::make_tuple(kFormat, bytes_of(cloud.points), bytes_of(cloud.directions), bytes_of(cloud.structures),
                         bytes_of(cloud.weights), py::make_tuple(cloud.origin.x(), cloud.origin.y(), cloud.origin.z()),
-                        viewpoint, state_of(scan.view), bytes_of(cloud.intensities),
+                        viewpoint, state_of_view(scan.view), bytes_of(cloud.intensities),
                         bytes_of(cloud.intensity_gradients), bytes_of(scan.colours));
 }
 

@@ -15,7 +15,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc =
+constexpr const char* kEvaluationDoc =
     R"(Errors of an estimated trajectory against the true one: ATE (APE) and RPE, as in evo and the TUM benchmark.
 
 estimate, groundtruth: Trajectory, or the path of a file in the TUM benchmark's form. Their worlds may differ.
@@ -73,7 +73,7 @@ struct VisitEvaluation {
   }
 };
 
-py::tuple state_of(const Evaluation& evaluation) {
+py::tuple state_of_evaluation(const Evaluation& evaluation) {
   return state_of_value(evaluation, VisitEvaluation{}, values_of(evaluation.options));
 }
 
@@ -83,7 +83,7 @@ Evaluation evaluation_of_state(const py::tuple& state) {
   return evaluation;
 }
 
-std::string in_words(const PoseStatistics& errors) {
+std::string errors_in_words(const PoseStatistics& errors) {
   std::ostringstream text;
   text << "rmse " << errors.translation.rmse << " m, " << errors.rotation.rmse << " rad";
   return text.str();
@@ -93,10 +93,10 @@ std::string in_words(const PoseStatistics& errors) {
 std::string lines_of(const Evaluation& evaluation) {
   std::string text = "augicp.Evaluation of " + std::to_string(evaluation.num_matched) + " of " +
                      std::to_string(evaluation.num_estimate) +
-                     " poses\nATE, not aligned: " + in_words(evaluation.absolute);
+                     " poses\nATE, not aligned: " + errors_in_words(evaluation.absolute);
   for (const std::string& warning : app::coverage_warnings(evaluation.coverage)) text += "\n" + warning;
-  if (evaluation.aligned) text += "\nATE, aligned: " + in_words(*evaluation.aligned);
-  if (evaluation.relative) text += "\nRPE: " + in_words(*evaluation.relative);
+  if (evaluation.aligned) text += "\nATE, aligned: " + errors_in_words(*evaluation.aligned);
+  if (evaluation.relative) text += "\nRPE: " + errors_in_words(*evaluation.relative);
   return text;
 }
 
@@ -119,7 +119,7 @@ void bind_statistics(py::module_& module) {
   poses.def_readonly("translation", &PoseStatistics::translation, "Statistics in metres.");
   poses.def_readonly("rotation", &PoseStatistics::rotation, "Statistics in radians.");
   poses.def("__repr__",
-            [](const PoseStatistics& errors) { return "<augicp.PoseStatistics " + in_words(errors) + ">"; });
+            [](const PoseStatistics& errors) { return "<augicp.PoseStatistics " + errors_in_words(errors) + ">"; });
   poses.def(pickled<PoseStatistics>(VisitPoseStatistics{}));
 }
 
@@ -167,9 +167,9 @@ void bind_evaluate(py::module_& module) {
     return "<augicp.Evaluation of " + std::to_string(evaluation.num_matched) + " poses>";
   });
   type.def("__str__", &lines_of);
-  type.def(py::pickle(&state_of, &evaluation_of_state));
+  type.def(py::pickle(&state_of_evaluation, &evaluation_of_state));
   module.def("evaluate", &evaluate_given, py::arg("estimate"), py::arg("groundtruth"),
-             (kDoc + options_doc<EvaluationOptions>()).c_str());
+             (kEvaluationDoc + options_doc<EvaluationOptions>()).c_str());
 }
 
 }  // namespace augicp::python

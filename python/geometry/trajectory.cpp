@@ -17,7 +17,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(Where a camera was, and when. It cannot be changed.
+constexpr const char* kTrajectoryDoc = R"(Where a camera was, and when. It cannot be changed.
 
 stamps: (N,) seconds, increasing. poses: (N, 4, 4), each T_world_camera: it maps camera coordinates into the world's, metres.
 Iterating gives pairs (stamp, pose). Raises ArgumentError for stamps out of order and for poses that are not rigid to within 1e-3.)";
@@ -105,7 +105,7 @@ py::list all_items(const py::object& self) {
   return pairs;
 }
 
-PyTrajectory read(const std::filesystem::path& path) {
+PyTrajectory read_poses(const std::filesystem::path& path) {
   TrajectoryFile file = without_gil([&](const std::stop_token&) { return read_tum_trajectory(path); });
   warn(file.warnings, path.string());
   return {std::move(file.trajectory)};
@@ -114,7 +114,7 @@ PyTrajectory read(const std::filesystem::path& path) {
 }  // namespace
 
 void bind_trajectory(py::module_& module) {
-  py::class_<PyTrajectory> type(module, "Trajectory", kDoc);
+  py::class_<PyTrajectory> type(module, "Trajectory", kTrajectoryDoc);
   type.def(py::init(&from_arrays), py::arg("stamps"), py::arg("poses"));
   type.def_property_readonly("stamps", &stamps, "(N,) float64, seconds: a new array.");
   type.def_property_readonly("poses", &poses, "(N, 4, 4) float64, T_world_camera: a new array.");
@@ -127,7 +127,7 @@ void bind_trajectory(py::module_& module) {
     return "Trajectory(" + std::to_string(trajectory.poses.size()) + " poses)";
   });
   module.def(
-      "read_trajectory", &read, py::arg("path"),
+      "read_trajectory", &read_poses, py::arg("path"),
       "The Trajectory in a file of the TUM benchmark's form: timestamp tx ty tz qx qy qz qw a line. Raises FileError.");
   module.def(
       "write_trajectory",
@@ -141,7 +141,7 @@ void bind_trajectory(py::module_& module) {
 Trajectory trajectory_from(const py::object& given, const std::string& name) {
   if (py::isinstance<PyTrajectory>(given)) return given.cast<const PyTrajectory&>().poses;
   if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
-    return read(given.cast<std::filesystem::path>()).poses;
+    return read_poses(given.cast<std::filesystem::path>()).poses;
   throw WrongType(name + ": expected an augicp.Trajectory or the path of a file, found " +
                   py::repr(py::type::of(given)).cast<std::string>());
 }

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kReadDoc =
+constexpr const char* kFilesReadDoc =
     R"(The Cloud in a file: .ply, .pcd, .las, .laz (with laspy), .xyz .txt .csv .pts .asc, KITTI's .bin, .npy, .stl, .obj, .glb,
 .gltf, or a depth image (see read_depth; .npy with camera); or one cloud of a recording (.bag, .db3, .mcap, or a folder of rosbag2): "drive.mcap#12" is the one with number 12, from 0, and
 "drive.mcap#/points#12" that of a topic.
@@ -73,8 +73,8 @@ CloudFile read_file(const fs::path& path, const ReadOptions& options) {
   return without_gil([&](const std::stop_token&) { return parse_cloud(file, options); });
 }
 
-ColouredScan read(const fs::path& path, const py::object& camera, std::optional<double> depth_scale, int bin_columns,
-                  std::uint64_t max_points) {
+ColouredScan read_scan(const fs::path& path, const py::object& camera, std::optional<double> depth_scale,
+                       int bin_columns, std::uint64_t max_points) {
   const bool is_image = is_image_file(path) || (lower_case_extension(path) == ".npy" && !camera.is_none());
   if (is_image) return read_image(path, camera, depth_scale);
   if (!camera.is_none())
@@ -104,8 +104,8 @@ void write_matrix(const fs::path& path, const py::object& matrix) {
 
 void bind_files(py::module_& module) {
   const ReadOptions usual;
-  module.def("read", &read, py::arg("path"), py::arg("camera") = py::none(), py::arg("depth_scale") = py::none(),
-             py::arg("bin_columns") = usual.num_bin_columns, py::arg("max_points") = usual.max_points, kReadDoc);
+  module.def("read", &read_scan, py::arg("path"), py::arg("camera") = py::none(), py::arg("depth_scale") = py::none(),
+             py::arg("bin_columns") = usual.num_bin_columns, py::arg("max_points") = usual.max_points, kFilesReadDoc);
   module.def(
       "write", &write, py::arg("path"), py::arg("cloud"),
       "Writes a Cloud or an (N, 3) array as .ply, .pcd or .las, binary, with the directions, structures, intensities "

@@ -23,9 +23,7 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr double kUsualScansPerS = 10.0;
-
-constexpr const char* kReadDoc =
+constexpr const char* kScansReadDoc =
     R"(The LiDAR scans of a folder (.bin, .pcd or .ply, KITTI's layouts), or the clouds of a recording (.bag, .db3, .mcap, or a
 folder of rosbag2).
 
@@ -127,7 +125,8 @@ std::vector<std::string> paths_of(const ScanSequence& sequence) {
   return paths;
 }
 
-ScanSequence read(const std::filesystem::path& path, const std::optional<std::string>& topic, double scans_per_s) {
+ScanSequence read_sequence(const std::filesystem::path& path, const std::optional<std::string>& topic,
+                           double scans_per_s) {
   ScanSequence sequence =
       without_gil([&](const std::stop_token&) { return read_scan_sequence(path, scans_per_s, topic.value_or("")); });
   warn(sequence.warnings, {});
@@ -152,8 +151,8 @@ void bind_scans(py::module_& module) {
   type.def("__repr__", [](const ScanSequence& sequence) {
     return "<augicp.ScanSequence " + sequence.layout + ", " + std::to_string(sequence.scans.size()) + " scans>";
   });
-  module.def("read_scan_sequence", &read, py::arg("path"), py::arg("topic") = py::none(),
-             py::arg("scans_per_s") = kUsualScansPerS, kReadDoc);
+  module.def("read_scan_sequence", &read_sequence, py::arg("path"), py::arg("topic") = py::none(),
+             py::arg("scans_per_s") = kUsualScansPerS, kScansReadDoc);
 }
 
 }  // namespace augicp::python

@@ -13,7 +13,7 @@ namespace py = pybind11;
 
 namespace {
 
-constexpr const char* kReadDoc =
+constexpr const char* kSequenceReadDoc =
     R"(The content of a folder of depth images: of the TUM benchmark (depth.txt), 7-Scenes, or numbered .png.
 
 frames_per_s: for frames without stamps. No image is opened. Images that are left out, and stamps in another unit than seconds,
@@ -62,7 +62,7 @@ void bind_sequence(py::module_& module) {
         warn(sequence.warnings, {});
         return sequence;
       },
-      py::arg("folder"), py::arg("frames_per_s") = kUsualFramesPerS, kReadDoc);
+      py::arg("folder"), py::arg("frames_per_s") = kUsualFramesPerS, kSequenceReadDoc);
 }
 
 }  // namespace augicp::python

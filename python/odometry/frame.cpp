@@ -32,7 +32,7 @@ py::object drift(const FrameReport& frame) {
   return numbers;
 }
 
-std::string in_words(const FrameReport& frame) {
+std::string frame_in_words(const FrameReport& frame) {
   return "<augicp.Frame at " + std::to_string(frame.stamp_s) + " s: " + std::string(name_of(frame.status)) +
          (frame.problem.empty() ? "" : " (" + frame.problem + ")") + ">";
 }
@@ -99,7 +99,7 @@ void bind_frame(py::module_& module) {
   type.def("__bool__", [](const FrameReport& frame) {
     return frame.status == FrameStatus::Tracked || frame.status == FrameStatus::Started;
   });
-  type.def("__repr__", &in_words);
+  type.def("__repr__", &frame_in_words);
   type.def(
       py::pickle([](const FrameReport& frame) { return state_of_value(frame, VisitFrame{}, py::str(frame.problem)); },
                  &frame_of_state));

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "augicp/io/scan_sequence.h"
 #include "augicp/odometry/lidar_option_table.h"
 #include "python/bindings.h"
 #include "python/cloud/cloud.h"
@@ -19,9 +20,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr double kUsualScansPerS = 10.0;
-
-constexpr const char* kDoc = R"(Tracks one LiDAR: give it one scan after the other.
+constexpr const char* kLidarDoc = R"(Tracks one LiDAR: give it one scan after the other.
 
     odometry = augicp.LidarOdometry()
     for stamp, points in scans:
@@ -34,7 +33,7 @@ Calls from several threads run one after the other, in any order. Raises Argumen
 Options, by keyword; augicp.default_options("lidar_odometry") has their defaults:
 )";
 
-constexpr const char* kAddDoc =
+constexpr const char* kLidarAddDoc =
     R"(The next scan: a Cloud, or an (N, 3) array of points in the sensor's frame, metres. Points that are not finite are
 dropped, with their times.
 
@@ -48,16 +47,16 @@ scan may be added again.)";
 
 // The times of the points that are kept: those that are not finite are dropped, and with them their times.
 std::vector<double> times_of_kept(const py::array_t<double>& times, const py::object& points) {
-  std::vector<double> kept(times.data(), times.data() + times.size());
-  if (!py::isinstance<py::array>(points)) return kept;
+  std::vector<double> kept_s(times.data(), times.data() + times.size());
+  if (!py::isinstance<py::array>(points)) return kept_s;
   const py::array rows = as_reals(as_numbers(points, "points"));
-  if (rows.ndim() != 2 || rows.shape(0) != times.size()) return kept;
+  if (rows.ndim() != 2 || rows.shape(0) != times.size()) return kept_s;
   const Reals at(rows);
   std::size_t num_kept = 0;
   for (py::ssize_t i = 0; i < times.size(); ++i)
-    if (std::isfinite(at(i, 0)) && std::isfinite(at(i, 1)) && std::isfinite(at(i, 2))) kept[num_kept++] = times.at(i);
-  kept.resize(num_kept);
-  return kept;
+    if (std::isfinite(at(i, 0)) && std::isfinite(at(i, 1)) && std::isfinite(at(i, 2))) kept_s[num_kept++] = times.at(i);
+  kept_s.resize(num_kept);
+  return kept_s;
 }
 
 SweepShares shares_from(const py::object& times, const py::object& points, const Cloud& cloud) {
@@ -80,9 +79,9 @@ SweepShares shares_from(const py::object& times, const py::object& points, const
   return shares_from_times(of_points);
 }
 
-class Tracker {
+class LidarTracker {
  public:
-  explicit Tracker(const LidarOptions& options) : options_(options), odometry_(options) {}
+  explicit LidarTracker(const LidarOptions& options) : options_(options), odometry_(options) {}
 
   py::object add(const py::object& points, std::optional<double> stamp, const py::object& times) {
     const SharedScan scan = scan_from(points, "points");
@@ -141,30 +140,32 @@ class Tracker {
   Trajectory trajectory_;
 };
 
-std::unique_ptr<Tracker> made(const py::kwargs& given) {
+std::unique_ptr<LidarTracker> made_lidar_tracker(const py::kwargs& given) {
   LidarOptions options;
   set_options(given, options);
-  return std::make_unique<Tracker>(options);
+  return std::make_unique<LidarTracker>(options);
 }
 
 }  // namespace
 
 void bind_lidar_odometry(py::module_& module) {
-  py::class_<Tracker> type(module, "LidarOdometry", (kDoc + options_doc<LidarOptions>()).c_str());
-  type.def(py::init(&made));
-  type.def("add", &Tracker::add, py::arg("points"), py::arg("stamp") = py::none(), py::arg("times") = "order", kAddDoc);
-  type.def_property_readonly("last_frame", &Tracker::last_frame,
+  py::class_<LidarTracker> type(module, "LidarOdometry", (kLidarDoc + options_doc<LidarOptions>()).c_str());
+  type.def(py::init(&made_lidar_tracker));
+  type.def("add", &LidarTracker::add, py::arg("points"), py::arg("stamp") = py::none(), py::arg("times") = "order",
+           kLidarAddDoc);
+  type.def_property_readonly("last_frame", &LidarTracker::last_frame,
                              "A Frame: how the last scan went; None before the first.");
-  type.def_property_readonly("trajectory", &Tracker::trajectory, "A Trajectory of every pose so far: a copy.");
+  type.def_property_readonly("trajectory", &LidarTracker::trajectory, "A Trajectory of every pose so far: a copy.");
   type.def_property_readonly(
-      "map", [](const Tracker& tracker) { return cloud_of(tracker.map()); },
+      "map", [](const LidarTracker& tracker) { return cloud_of(tracker.map()); },
       "A Cloud of the surfaces around the last pose, in the world; empty before the first scan.");
-  type.def_property_readonly("voxel_size", &Tracker::voxel_size,
+  type.def_property_readonly("voxel_size", &LidarTracker::voxel_size,
                              "Edge of the map's voxels, metres: the option, or what was derived from the first scan; "
                              "None before it.");
-  type.def("__repr__", [](const Tracker& tracker) { return "<augicp.LidarOdometry" + tracker.state_text() + ">"; });
+  type.def("__repr__",
+           [](const LidarTracker& tracker) { return "<augicp.LidarOdometry" + tracker.state_text() + ">"; });
   type.def_property_readonly(
-      "options", [](const Tracker& tracker) { return values_of(tracker.options()); },
+      "options", [](const LidarTracker& tracker) { return values_of(tracker.options()); },
       "dict of every option as it took effect.");
 }
 

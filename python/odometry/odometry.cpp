@@ -18,7 +18,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(Tracks one depth camera: give it one image after the other.
+constexpr const char* kDepthDoc = R"(Tracks one depth camera: give it one image after the other.
 
     odometry = augicp.Odometry("tum-fr1", depth_scale=5000)
     for stamp, image in images:
@@ -32,7 +32,7 @@ Calls from several threads run one after the other, in any order. Raises Argumen
 Options, by keyword; augicp.default_options("odometry") has their defaults:
 )";
 
-constexpr const char* kAddDoc =
+constexpr const char* kDepthAddDoc =
     R"(The next image: (height, width), as in Cloud.from_depth. stamp: seconds; None: 1/30 after the one before.
 
 Returns its pose as a new (4, 4) float64 T_world_camera, or None if it has none. last_frame has the report, and whether the
@@ -40,9 +40,9 @@ pose may be trusted. A frame without a pose is no error; the next one is tried a
 size is not the camera's, or depth_scale is wrong. Releases the GIL. Ctrl-C ends it and leaves the object unchanged, so the
 same image may be added again.)";
 
-class Tracker {
+class DepthTracker {
  public:
-  Tracker(const DepthCamera& camera, std::optional<double> depth_scale, const OdometryOptions& options)
+  DepthTracker(const DepthCamera& camera, std::optional<double> depth_scale, const OdometryOptions& options)
       : camera_(camera), depth_scale_(depth_scale), options_(options), odometry_(options, camera.readout_s) {}
 
   py::object add(const py::object& given, std::optional<double> stamp) {
@@ -96,25 +96,26 @@ class Tracker {
   Trajectory trajectory_;
 };
 
-std::unique_ptr<Tracker> made(const py::object& camera, std::optional<double> depth_scale, const py::kwargs& given) {
+std::unique_ptr<DepthTracker> made_depth_tracker(const py::object& camera, std::optional<double> depth_scale,
+                                                 const py::kwargs& given) {
   OdometryOptions options;
   set_options(given, options);
   options.check();
-  return std::make_unique<Tracker>(camera_from(camera), depth_scale, options);
+  return std::make_unique<DepthTracker>(camera_from(camera), depth_scale, options);
 }
 
 }  // namespace
 
 void bind_odometry(py::module_& module) {
-  py::class_<Tracker> type(module, "Odometry", (kDoc + options_doc<OdometryOptions>()).c_str());
-  type.def(py::init(&made), py::arg("camera"), py::arg("depth_scale") = py::none());
-  type.def("add", &Tracker::add, py::arg("depth"), py::arg("stamp") = py::none(), kAddDoc);
-  type.def_property_readonly("last_frame", &Tracker::last_frame,
+  py::class_<DepthTracker> type(module, "Odometry", (kDepthDoc + options_doc<OdometryOptions>()).c_str());
+  type.def(py::init(&made_depth_tracker), py::arg("camera"), py::arg("depth_scale") = py::none());
+  type.def("add", &DepthTracker::add, py::arg("depth"), py::arg("stamp") = py::none(), kDepthAddDoc);
+  type.def_property_readonly("last_frame", &DepthTracker::last_frame,
                              "A Frame: how the last image went; None before the first.");
-  type.def_property_readonly("trajectory", &Tracker::trajectory, "A Trajectory of every pose so far: a copy.");
-  type.def("__repr__", [](const Tracker& tracker) { return "<augicp.Odometry" + tracker.state_text() + ">"; });
+  type.def_property_readonly("trajectory", &DepthTracker::trajectory, "A Trajectory of every pose so far: a copy.");
+  type.def("__repr__", [](const DepthTracker& tracker) { return "<augicp.Odometry" + tracker.state_text() + ">"; });
   type.def_property_readonly(
-      "options", [](const Tracker& tracker) { return values_of(tracker.options()); },
+      "options", [](const DepthTracker& tracker) { return values_of(tracker.options()); },
       "dict of every option as it took effect.");
 }
 

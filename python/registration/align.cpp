@@ -19,7 +19,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(Finds the rigid motion between two clouds.
+constexpr const char* kAlignDoc = R"(Finds the rigid motion between two clouds.
 
 source, target: the moving and the fixed cloud: (N, 3) arrays (float32, float64, anything with __array__), metres,
   Cloud, or the path of a cloud, see read().
@@ -136,7 +136,7 @@ void bind_align(py::module_& module) {
   const py::dict usual = values_of(RegistrationOptions{});
   module.def("align", &align, py::arg("source"), py::arg("target"), py::arg("initial") = py::none(),
              py::arg("method") = usual["method"], py::arg("threads") = usual["threads"],
-             py::arg("progress") = py::none(), (kDoc + options_doc<RegistrationOptions>()).c_str());
+             py::arg("progress") = py::none(), (kAlignDoc + options_doc<RegistrationOptions>()).c_str());
   module.def("find_pose", &find_pose, py::arg("source"), py::arg("target"), py::arg("method") = usual["method"],
              py::arg("threads") = usual["threads"], py::arg("progress") = py::none(), kFindDoc);
 }

@@ -18,7 +18,8 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(The result of a registration. bool(result) is True only if status is Status.CONVERGED.
+constexpr const char* kResultDoc =
+    R"(The result of a registration. bool(result) is True only if status is Status.CONVERGED.
 
 T_target_source maps source coordinates into the target's frame. After a failure it is the last pose reached, never a made-up one.
 Arrays are new at each access; writing to them does not change the result.)";
@@ -38,7 +39,7 @@ py::list doubts(const Result& result) {
   return words;
 }
 
-std::string in_words(const Result& result) {
+std::string result_in_words(const Result& result) {
   std::ostringstream text;
   text << "<augicp.Result " << name_of(result.found.status) << " after " << result.found.iterations << " iterations, "
        << result.found.num_pairs << " pairs, overlap " << result.found.overlap << ", rmse " << result.found.rmse
@@ -112,7 +113,7 @@ void bind_numbers(ResultType& type) {
 void bind_result(py::module_& module) {
   bind_iteration(module);
   bind_runner_up(module);
-  ResultType type(module, "Result", kDoc);
+  ResultType type(module, "Result", kResultDoc);
   bind_numbers(type);
   type.def_property_readonly(
       "status", [](const Result& result) { return word_member("Status", name_of(result.found.status)); },
@@ -130,7 +131,7 @@ void bind_result(py::module_& module) {
       "options", [](const Result& result) { return values_of(result.options); },
       "dict of every option as it took effect, with derived lengths. align(**result.options) repeats the call.");
   type.def("__bool__", [](const Result& result) { return result.found.status == AlignStatus::Converged; });
-  type.def("__repr__", &in_words);
+  type.def("__repr__", &result_in_words);
   type.def("__str__", &text_of);
   type.def("_repr_html_", &html_of);
   type.def("report", &write_report, py::arg("path"),

@@ -17,7 +17,7 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr const char* kDoc = R"(A depth camera: pinhole, lens and shutter. It cannot be changed.
+constexpr const char* kCameraDoc = R"(A depth camera: pinhole, lens and shutter. It cannot be changed.
 
 Camera(fx, fy, cx, cy), or Camera(K) of a (3, 3) intrinsic matrix with rows fx 0 cx, 0 fy cy, 0 0 1; then width, height,
 distortion and readout_s.
@@ -28,7 +28,8 @@ readout_s: rolling shutter: seconds from the readout of the first row to that of
 
 A camera argument may also be text, see Camera.read, or a (3, 3) intrinsic matrix, see Camera.from_matrix. Raises ArgumentError for values out of range.)";
 
-constexpr const char* kReadDoc = R"(A camera from text: a known name (see Camera.names), numbers "fx fy cx cy" with or
+constexpr const char* kCameraReadDoc =
+    R"(A camera from text: a known name (see Camera.names), numbers "fx fy cx cy" with or
 without the lens "k1 k2 p1 p2 k3" after them, or the path of a file with such numbers, a 3 x 3 intrinsic matrix, or
 JSON as Open3D writes it. Raises FileError.)";
 
@@ -64,8 +65,8 @@ bool has_length(const py::object& given) {
 }
 
 // fx is the matrix where it stands alone.
-DepthCamera made(const py::object& fx, const py::object& fy, const py::object& cx, const py::object& cy, int width,
-                 int height, const std::vector<double>& distortion, double readout_s) {
+DepthCamera made_camera(const py::object& fx, const py::object& fy, const py::object& cx, const py::object& cy,
+                        int width, int height, const std::vector<double>& distortion, double readout_s) {
   if (has_length(fx) && !py::isinstance<py::str>(fx) && fy.is_none() && cx.is_none() && cy.is_none())
     return from_matrix(fx, width, height, distortion, readout_s);
   for (const py::object* given : {&fx, &fy, &cx, &cy})
@@ -93,7 +94,7 @@ py::tuple arguments_of(const DepthCamera& camera) {
   return py::make_tuple(fx, fy, cx, cy, width, height, coefficients(camera), camera.readout_s);
 }
 
-std::string in_words(const DepthCamera& camera) {
+std::string camera_in_words(const DepthCamera& camera) {
   const auto& [fx, fy, cx, cy, width, height] = camera.pinhole;
   std::ostringstream text;
   text << "Camera(fx=" << fx << ", fy=" << fy << ", cx=" << cx << ", cy=" << cy << ", width=" << width
@@ -113,12 +114,12 @@ bool is_matrix(const py::object& given) {
 
 void bind_camera(py::module_& module) {
   const DepthCamera usual;
-  py::class_<DepthCamera> type(module, "Camera", kDoc);
-  type.def(py::init(&made), py::arg("fx"), py::arg("fy") = py::none(), py::arg("cx") = py::none(),
+  py::class_<DepthCamera> type(module, "Camera", kCameraDoc);
+  type.def(py::init(&made_camera), py::arg("fx"), py::arg("fy") = py::none(), py::arg("cx") = py::none(),
            py::arg("cy") = py::none(), py::arg("width") = usual.pinhole.width, py::arg("height") = usual.pinhole.height,
            py::arg("distortion") = coefficients(usual), py::arg("readout_s") = usual.readout_s);
   type.def_static(
-      "read", [](const std::string& text) { return read_camera(text); }, py::arg("text"), kReadDoc);
+      "read", [](const std::string& text) { return read_camera(text); }, py::arg("text"), kCameraReadDoc);
   type.def_static(
       "from_matrix", &from_matrix, py::arg("matrix"), py::arg("width") = usual.pinhole.width,
       py::arg("height") = usual.pinhole.height, py::arg("distortion") = coefficients(usual),
@@ -137,7 +138,7 @@ void bind_camera(py::module_& module) {
   pinhole("height", &Pinhole::height, "Rows of its images; 0: any.");
   type.def_property_readonly("distortion", &coefficients, "The lens's k1 k2 p1 p2 k3; all 0: none.");
   type.def_readonly("readout_s", &DepthCamera::readout_s, "Time from the first row to the last, seconds.");
-  type.def("__repr__", &in_words);
+  type.def("__repr__", &camera_in_words);
   type.def(py::pickle(&arguments_of, [](const py::tuple& saved) {
     return py::module_::import("augicp._augicp").attr("Camera")(*saved).cast<DepthCamera>();
   }));

@@ -58,7 +58,7 @@ std::vector<std::uint16_t> sensor_values(const py::array& image) {
   return values;
 }
 
-constexpr const char* kReadDoc =
+constexpr const char* kDepthImageReadDoc =
     R"(The depth image in a .png, .pgm or .tif of 16-bit grey values, in a .pfm or .tif of float32, or in an array .npy, as a new
 (height, width) float32 array of metres; NaN if there is no reading (0 and 65535).
 
@@ -102,7 +102,7 @@ void check_scale(const DepthImage& image, std::optional<double> depth_scale) {
 }
 
 void bind_depth(py::module_& module) {
-  module.def("read_depth", &read_depth, py::arg("path"), py::arg("depth_scale"), kReadDoc);
+  module.def("read_depth", &read_depth, py::arg("path"), py::arg("depth_scale"), kDepthImageReadDoc);
   module.def("write_depth", &write_depth, py::arg("path"), py::arg("image"), py::arg("depth_scale"),
              "Writes a (height, width) image of metres as a PNG of 16-bit grey values, round(metres * depth_scale); no "
              "reading, and what does not fit, as 0. Raises FileError.");

@@ -11,7 +11,7 @@
 namespace augicp::python {
 namespace {
 
-constexpr const char* kDoc = R"(Estimates normals, tangents and structures as a registration does.
+constexpr const char* kSurfaceDoc = R"(Estimates normals, tangents and structures as a registration does.
 
 cloud: (N, 3) array, metres, or Cloud; directions that it has are replaced.
 threads: 0: all of the machine. The result is bit-identical for any number.
@@ -46,7 +46,8 @@ py::object estimate_surface(const py::object& cloud, const py::object& threads, 
 
 void bind_surface(py::module_& module) {
   const py::dict usual = values_of(RegistrationOptions{});
-  module.def("estimate_surface", &estimate_surface, py::arg("cloud"), py::arg("threads") = usual["threads"], kDoc);
+  module.def("estimate_surface", &estimate_surface, py::arg("cloud"), py::arg("threads") = usual["threads"],
+             kSurfaceDoc);
 }
 
 }  // namespace augicp::python

@@ -32,7 +32,7 @@ void bind_free_motion(py::module_& module) {
   type.def(pickled<FreeMotion>(VisitFreeMotion{}));
 }
 
-std::string in_words(const Testimony& testimony) {
+std::string evidence_in_words(const Testimony& testimony) {
   std::ostringstream text;
   text << "<augicp.Testimony of " << testimony.count.total() << " points: seen " << testimony.seen() << ", agreeing "
        << testimony.agreeing() << ", conflicting " << testimony.conflicting() << ", contradicting "
@@ -40,14 +40,14 @@ std::string in_words(const Testimony& testimony) {
   return text.str();
 }
 
-std::string in_words(const Residuals& residuals) {
+std::string evidence_in_words(const Residuals& residuals) {
   std::ostringstream text;
   text << "<augicp.Residuals median point " << residuals.point.median << " m, normal " << residuals.normal.median
        << " rad, tangent " << residuals.tangent.median << " rad>";
   return text.str();
 }
 
-std::string in_words(const Evidence& evidence) {
+std::string evidence_in_words(const Evidence& evidence) {
   std::ostringstream text;
   text << "<augicp.Evidence strain " << strain(evidence) << ", seen " << evidence.source_in_target.seen() << " and "
        << evidence.target_in_source.seen() << ", agreeing " << evidence.source_in_target.agreeing() << " and "
@@ -69,7 +69,7 @@ void bind_testimony(py::module_& module) {
   type.def_readonly(
       "off_planes", &Testimony::off_planes,
       "How well points off the large planes agree, divided by how well those on them do; 1 if not asked.");
-  type.def("__repr__", [](const Testimony& testimony) { return in_words(testimony); });
+  type.def("__repr__", [](const Testimony& testimony) { return evidence_in_words(testimony); });
   type.def(pickled<Testimony>(VisitTestimony{}));
 }
 
@@ -87,7 +87,7 @@ void bind_residuals(py::module_& module) {
   residuals.def_readonly("point", &Residuals::point, "Distances from the target's planes, metres.");
   residuals.def_readonly("normal", &Residuals::normal, "Angles between normals, radians.");
   residuals.def_readonly("tangent", &Residuals::tangent, "Angles between tangents, radians.");
-  residuals.def("__repr__", [](const Residuals& kinds) { return in_words(kinds); });
+  residuals.def("__repr__", [](const Residuals& kinds) { return evidence_in_words(kinds); });
   residuals.def(pickled<Residuals>(VisitResiduals{}));
 }
 
@@ -113,7 +113,7 @@ void bind_evidence(py::module_& module) {
   type.def_property_readonly(
       "strain", [](const Evidence& evidence) { return strain(evidence); },
       "The largest ratio of a value to its limit; above 1 the pose is doubtful.");
-  type.def("__repr__", [](const Evidence& evidence) { return in_words(evidence); });
+  type.def("__repr__", [](const Evidence& evidence) { return evidence_in_words(evidence); });
   type.def(pickled<Evidence>(VisitEvidence{}));
 }
 

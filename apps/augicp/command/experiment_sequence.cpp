@@ -23,7 +23,7 @@
 namespace augicp::app {
 namespace {
 
-constexpr const char* kAuto = "auto";
+constexpr const char* kFoundOffset = "auto";
 
 struct SequenceArguments {
   std::string folder, camera, curves;
@@ -48,7 +48,7 @@ std::vector<double> offsets_s(const DepthSequence& sequence, const DepthCamera& 
   std::vector<double> offsets;
   for (const std::string& word : arguments.time_offsets) {
     const auto number = parse_double(word);
-    if (word != kAuto && !(number && std::isfinite(*number)))
+    if (word != kFoundOffset && !(number && std::isfinite(*number)))
       throw std::invalid_argument("--time-offset " + word + ": must be seconds or auto");
     offsets.push_back(number ? *number : measured_offset(sequence, camera, arguments));
   }

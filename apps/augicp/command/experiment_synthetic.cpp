@@ -40,7 +40,7 @@ int run(SyntheticArguments arguments) {
   return kSuccess;
 }
 
-void add_options(CLI::App& command, SyntheticArguments& arguments) {
+void add_synthetic_options(CLI::App& command, SyntheticArguments& arguments) {
   SyntheticOptions& options = arguments.options;
   const std::string scene = "Scene", method = "Method";
   command.add_option("--points", options.num_points)->capture_default_str()->group(scene);
@@ -81,7 +81,7 @@ void add_synthetic_experiment(CLI::App& experiment, int& exit_code) {
   const auto arguments = std::make_shared<SyntheticArguments>();
   CLI::App* command =
       experiment.add_subcommand("synthetic", "Known pairs, a share of them false (the paper's Table 4)");
-  add_options(*command, *arguments);
+  add_synthetic_options(*command, *arguments);
   add_experiment_output(*command, arguments->output);
   command->footer(
       "A room of 10 x 8 x 3 m, 30 degrees and 1 m away. CSV: mean error of each iteration over\n"

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "apps/augicp/command/experiment_trust.h"
 
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
 #include "apps/augicp/command/choice.h"
 #include "apps/augicp/command/exit_code.h"
 #include "apps/augicp/command/experiment_output.h"
+#include "apps/augicp/command/named_families.h"
 #include "apps/augicp/command/output.h"
 #include "apps/augicp/command/table_options.h"
 #include "apps/augicp/page/trust_page.h"
@@ -32,25 +30,8 @@ struct TrustArguments {
   ExperimentOutput output;
 };
 
-// Those with these names; all if none is given.
-std::vector<TrustFamily> chosen(const std::vector<std::string>& names) {
-  std::vector<TrustFamily> families = synthetic::trust_families();
-  if (names.empty()) return families;
-  std::vector<TrustFamily> found;
-  for (const std::string& name : names) {
-    const auto at = std::find_if(families.begin(), families.end(), [&](const auto& one) { return one.name == name; });
-    if (at == families.end()) {
-      std::string known;
-      for (const TrustFamily& family : families) known += "\n  " + family.name;
-      throw std::invalid_argument(fmt::format("no family is named \"{}\". The families are:{}", name, known));
-    }
-    found.push_back(*at);
-  }
-  return found;
-}
-
 int run(const TrustArguments& arguments) {
-  const std::vector<TrustFamily> families = chosen(arguments.families);
+  const std::vector<TrustFamily> families = named_families(synthetic::trust_families(), arguments.families);
   const auto seeds = synthetic::trust_seeds(arguments.half, arguments.first_seed, arguments.num_pairs);
   ProgressBar bar(families.size() * seeds.size(), "pairs", arguments.output.progress);
   std::vector<TrustResults> results;

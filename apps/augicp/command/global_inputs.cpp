@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "apps/augicp/command/inputs.h"
+#include "apps/augicp/command/named_families.h"
 #include "apps/augicp/command/output.h"
 #include "augicp/core/error.h"
 #include "augicp/io/read_cloud.h"
@@ -19,22 +20,6 @@
 
 namespace augicp::app {
 namespace {
-
-std::vector<synthetic::GlobalFamily> chosen(const std::vector<std::string>& names) {
-  std::vector<synthetic::GlobalFamily> families = synthetic::global_families();
-  if (names.empty()) return families;
-  std::vector<synthetic::GlobalFamily> found;
-  for (const std::string& name : names) {
-    const auto at = std::find_if(families.begin(), families.end(), [&](const auto& one) { return one.name == name; });
-    if (at == families.end()) {
-      std::string known;
-      for (const synthetic::GlobalFamily& family : families) known += "\n  " + family.name;
-      throw std::invalid_argument(fmt::format("no family is named \"{}\". The families are:{}", name, known));
-    }
-    found.push_back(*at);
-  }
-  return found;
-}
 
 // As one word of a list.
 std::string word_of(std::string name) {
@@ -92,7 +77,7 @@ void add_apart(GlobalInputs& inputs) {
 }
 
 void add_generated(const GeneratedPairs& which, GlobalInputs& inputs) {
-  for (const synthetic::GlobalFamily& family : chosen(which.families))
+  for (const synthetic::GlobalFamily& family : named_families(synthetic::global_families(), which.families))
     for (std::size_t k = 0; k < which.count; ++k) {
       const unsigned seed = which.first_seed + static_cast<unsigned>(k);
       synthetic::DrawnPair drawn = family.draw(seed);

@@ -50,12 +50,12 @@ bool is_lidar(const OdometryArguments& arguments, const std::optional<StampedTop
 
 ScanSequence scans_of(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
   return topic ? scans_of_topic(arguments.sequence, topic->name, topic->stamps_s)
-               : read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(10.0));
+               : read_scan_sequence(arguments.sequence, arguments.frames_per_s.value_or(kUsualScansPerS));
 }
 
 DepthSequence images_of(const OdometryArguments& arguments, const std::optional<StampedTopic>& topic) {
   if (topic) return depth_of_topic(arguments.sequence, *topic);
-  DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(30.0));
+  DepthSequence sequence = read_depth_sequence(arguments.sequence, arguments.frames_per_s.value_or(kUsualFramesPerS));
   if (const std::string scans = scans_beside(arguments); !scans.empty()) sequence.warnings.push_back(scans);
   return sequence;
 }

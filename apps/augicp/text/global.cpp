@@ -11,14 +11,14 @@ namespace augicp::app {
 
 namespace {
 
-std::string testimony_csv(const Testimony& testimony) {
+std::string whole_testimony_csv(const Testimony& testimony) {
   return fmt::format(",{:d},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", testimony.knows_free_space, testimony.seen(),
                      testimony.agreeing(), testimony.conflicting(), testimony.contradicting, testimony.off_planes);
 }
 
 std::string evidence_csv(const Evidence& evidence) {
-  return fmt::format(",{:.4f}", strain(evidence)) + testimony_csv(evidence.source_in_target) +
-         testimony_csv(evidence.target_in_source) +
+  return fmt::format(",{:.4f}", strain(evidence)) + whole_testimony_csv(evidence.source_in_target) +
+         whole_testimony_csv(evidence.target_in_source) +
          fmt::format(",{:.4f},{:.3e},{:.3f}", evidence.beyond_planes, evidence.observability, evidence.outvoted);
 }
 

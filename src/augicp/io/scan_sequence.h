@@ -30,6 +30,9 @@ struct ScanSequence {
 // none. Throws IoError if the folder cannot be listed.
 std::vector<std::filesystem::path> find_scans(const std::filesystem::path& folder);
 
+// Of most LiDARs: for scans that say nothing of their time.
+inline constexpr double kUsualScansPerS = 10.0;
+
 // The scans with their stamps: from times.txt (seconds, a line a scan) beside the scans or in a folder above, or from
 // KITTI raw's timestamps.txt; else the number in which each name ends, if all have a decimal point or are too large for
 // the number of a frame; else that number / scans_per_s, if all names have one and they ascend; else the place /

@@ -20,7 +20,7 @@ constexpr int kMinCellsPerEdge = 8, kMaxCellsPerEdge = 256;
 
 // From the right place at most 0.1 % of the points of cluttered rooms lie behind others. From a place 1 m away in the
 // room mostly 1 % and more do.
-constexpr double kMaxShareBehind = 0.01;
+constexpr double kMaxShareBehindUnknown = 0.01;
 
 std::size_t num_occupied(const std::vector<FacePoint>& points, int cells_per_edge) {
   std::vector<std::uint8_t> is_occupied(num_cube_cells(cells_per_edge));
@@ -117,7 +117,7 @@ std::optional<RangeImage> lines_of_sight(const Cloud& cloud, float tolerance, bo
   if (cloud.empty()) return std::nullopt;
   RangeImage image(cloud, assumed_place(cloud));
   if (!image.is_fine_enough()) return std::nullopt;
-  if (!place_is_known && !(image.share_behind(tolerance) <= kMaxShareBehind)) return std::nullopt;
+  if (!place_is_known && !(image.share_behind(tolerance) <= kMaxShareBehindUnknown)) return std::nullopt;
   return image;
 }
 

@@ -14,7 +14,7 @@ namespace augicp {
 namespace {
 
 // Columns in the same cache lines are processed together.
-constexpr std::size_t kLinesPerBlock = 16;
+constexpr std::size_t kSpanLinesPerBlock = 16;
 
 // The largest float that compares with squared distances like the double.
 float rounded_down(double value) {
@@ -148,7 +148,7 @@ void find_window_spans(const Cloud& cloud, const IndexImage& index, const Window
             write_spans(line, stride, out + which * step);
           }
         },
-        kLinesPerBlock);
+        kSpanLinesPerBlock);
   }
 }
 
