@@ -3,20 +3,21 @@
 
 #include <fmt/core.h>
 
+#include "apps/augicp/text/evidence.h"
 #include "augicp/align/align.h"
 #include "augicp/core/angles.h"
 
 namespace augicp::app {
 
 std::string trust_csv(std::span<const TrustResults> results) {
-  std::string text =
-      "family,seed,status,right,translation_error,rotation_error_deg,strain,contradicting,named,moved_along_free\n";
+  std::string text = "family,seed,status,right,translation_error,rotation_error_deg,named,moved_along_free," +
+                     evidence_header() + "\n";
   for (const TrustResults& of_family : results)
     for (const synthetic::TrustOutcome& pair : of_family.outcomes) {
       const std::string error =
           pair.error ? fmt::format("{},{}", pair.error->translation, kDegPerRad * pair.error->rotation) : ",";
-      text += fmt::format("{},{},{},{:d},{},{},{},{:d},{}\n", of_family.family, pair.seed, name_of(pair.status),
-                          pair.is_right, error, pair.strain, pair.contradicting, pair.is_named, pair.moved_along_free);
+      text += fmt::format("{},{},{},{:d},{},{:d},{},{}\n", of_family.family, pair.seed, name_of(pair.status),
+                          pair.is_right, error, pair.is_named, pair.moved_along_free, evidence_csv(pair.evidence));
     }
   return text;
 }

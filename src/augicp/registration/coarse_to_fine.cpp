@@ -79,6 +79,11 @@ AlignResult with_votes(AlignResult result, const ScanPair& pair, std::span<const
   return result;
 }
 
+bool is_elsewhere(const Rigid3& target_from_source, const AlignResult& found, const ScanPair& pair) {
+  return differ_clearly(pair.source.cloud, target_from_source, found.target_from_source,
+                        kClearlyPerRadius * pair.lengths.radius);
+}
+
 void append(std::vector<AlignResult> others, std::vector<AlignResult>& results) {
   std::move(others.begin(), others.end(), std::back_inserter(results));
 }
@@ -96,12 +101,24 @@ std::vector<AlignResult> from_each(const FullResolution& full, const std::vector
   return results;
 }
 
+// A pose that was found on few points and may fit: itself, or where it leads to. It is off by up to the spacing of the
+// points, more than thin walls allow.
+std::optional<Rigid3> promising(const Rigid3& found_on_few, const FullResolution& full) {
+  if (full.is_promising(found_on_few)) return found_on_few;
+  const Rigid3 refined = full.refined(found_on_few);
+  return full.is_promising(refined) ? std::optional(refined) : std::nullopt;
+}
+
 std::vector<Rigid3> rivals_of(const AlignResult& found, const ScanPair& pair, const FullResolution& full,
                               const RegistrationOptions& options) {
-  std::vector<Rigid3> rivals =
+  const std::vector<Rigid3> rivals =
       reported(options.on_stage, Stage::Rivals, [&] { return search_rivals(pair, found.target_from_source, options); });
-  std::erase_if(rivals, [&](const Rigid3& rival) { return !full.is_promising(rival); });
-  return rivals;
+  std::vector<Rigid3> chosen;
+  for (const Rigid3& rival : rivals) {
+    const std::optional<Rigid3> start = promising(rival, full);
+    if (start && is_elsewhere(*start, found, pair)) chosen.push_back(*start);
+  }
+  return chosen;
 }
 
 // The result that the evidence prefers, first, unless it has left the guess along what is free: elsewhere on a flat
@@ -170,8 +187,7 @@ AlignResult between_images(const ScanPair& pair, const Rigid3& guess, const Regi
 // At most one of two clearly different poses is right, even if both have converged.
 void disown(AlignResult& other, const AlignResult& best, const ScanPair& pair) {
   if (other.status == AlignStatus::Converged && has_pose(best.status) &&
-      differ_clearly(pair.source.cloud, other.target_from_source, best.target_from_source,
-                     kClearlyPerRadius * pair.lengths.radius))
+      is_elsewhere(other.target_from_source, best, pair))
     other.status = AlignStatus::Ambiguous;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "augicp/cloud/voxel_grid.h"
 #include "augicp/core/parallel.h"
 #include "augicp/registration/scan_match.h"
 #include "augicp/registration/scan_probe.h"
@@ -17,6 +18,10 @@ namespace {
 // Rivals that end as ambiguities begin with a strain of 0.8 to 1.2 on few points; those that lead back to the pose
 // found begin above 6, and cost as much as the registration.
 constexpr double kMaxStrainOfRival = 2.0;
+
+// Enough for a pose that is off by a voxel of the search.
+constexpr std::size_t kNumRefining = 1000;
+constexpr int kRefiningIterations = 10;
 
 // Directions with more information than this are not asked about: in bare corridors noise and rings give less to the
 // free one (0.0058 in the worst of a hundred generated ones).
@@ -194,6 +199,15 @@ AlignResult FullResolution::from(const Rigid3& start, Turn turn) const {
       on_stage_, Stage::Aligning, [&] { return found_from(start); }, turn);
   return reported(
       on_stage_, Stage::Verdict, [&] { return judge_.judged(std::move(result)); }, turn);
+}
+
+Rigid3 FullResolution::refined(const Rigid3& target_from_source) const {
+  AlignOptions options = align_by_;
+  options.max_iterations = kRefiningIterations;
+  options.correlation_length = 0.0;  // nobody asks how sure it is
+  const Cloud few = evenly_chosen(pair_.source.cloud, kNumRefining);
+  const AlignResult result = align(few, *matcher_, target_from_source, options);
+  return has_pose(result.status) ? result.target_from_source : target_from_source;
 }
 
 bool FullResolution::is_promising(const Rigid3& target_from_source) const {

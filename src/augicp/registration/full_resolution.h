@@ -28,6 +28,10 @@ class FullResolution {
   // information there is. turn: for the listener of the options.
   AlignResult from(const Rigid3& start_target_from_source, Turn turn = {}) const;
 
+  // The pose to which a few points of the source lead within a few iterations. One that was found on few points of both
+  // scans is off by up to their spacing.
+  Rigid3 refined(const Rigid3& target_from_source) const;
+
   // Whether a pose found on few points is near enough to a supported one to be led on.
   bool is_promising(const Rigid3& target_from_source) const;
 

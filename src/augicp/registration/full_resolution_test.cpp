@@ -6,6 +6,7 @@
 #include "augicp/geometry/rotation.h"
 #include "augicp/registration/registration.h"
 #include "augicp/testing/degenerate_families.h"
+#include "augicp/testing/room_pair.h"
 
 namespace augicp {
 namespace {
@@ -35,6 +36,17 @@ TEST(FullResolution, AlongFreeMotionsTheResultIsAtTheGuess) {
     for (const int free : {0, 1, 5}) EXPECT_NEAR(moved[free], 0.0, 1e-4) << free;
     EXPECT_NEAR(moved[3], tilt_rad, 1e-3);
   }
+}
+
+// As from a search on few points: within a voxel of it.
+TEST(FullResolution, AFewPointsRefineAPoseToWhereAllLead) {
+  const testing::ScanPair room = testing::room_pair({rotation_exp({0.05, 0.02, -0.03}), {0.1, 0.0, 0.05}});
+  const PreparedPair pair = prepare_pair(scan_of(room.source.cloud), scan_of(room.target.cloud), {});
+  const FullResolution full(pair, std::nullopt, RegistrationOptions{});
+  const Rigid3 found = full.from(room.target_from_source).target_from_source;
+  const Rigid3 off = Rigid3{rotation_exp({0.02, -0.03, 0.02}), {0.1, -0.08, 0.06}} * found;
+  EXPECT_TRUE(full.is_promising(full.refined(off)));
+  EXPECT_LT(increment_between(full.refined(off), found).norm(), 0.2 * increment_between(off, found).norm());
 }
 
 }  // namespace

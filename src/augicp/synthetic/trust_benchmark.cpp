@@ -48,9 +48,7 @@ TrustOutcome outcome_of(unsigned seed, const TrustPair& pair, const PoseError& r
   outcome.status = result.status;
   if (pair.target_from_source) outcome.error = pose_error(result.target_from_source, *pair.target_from_source);
   outcome.is_right = outcome.error && is_within(*outcome.error, right);
-  if (result.evidence)
-    outcome.contradicting =
-        std::max(result.evidence->source_in_target.contradicting, result.evidence->target_in_source.contradicting);
+  outcome.evidence = result.evidence;
   outcome.strain = result.evidence ? strain(*result.evidence) : std::numeric_limits<double>::infinity();
   if (result.status != AlignStatus::Degenerate) return outcome;
   outcome.is_named = is_named(pair, result);

@@ -11,6 +11,7 @@
 #include "augicp/core/words.h"
 #include "augicp/experiment/pose_error.h"
 #include "augicp/registration/options.h"
+#include "augicp/trust/verdict.h"
 
 namespace augicp::synthetic {
 
@@ -38,8 +39,8 @@ struct TrustOutcome {
   AlignStatus status = AlignStatus::TooFewPairs;
   std::optional<PoseError> error;  // not set: the pair has no common surface
   bool is_right = false;
-  double strain = 0.0;            // of its evidence; infinite without
-  double contradicting = 0.0;     // of its evidence; 0 without
+  std::optional<Evidence> evidence;
+  double strain = 0.0;            // of the evidence; infinite without
   bool is_named = false;          // degenerate, with the true number of free motions, each within 5 degrees
   double moved_along_free = 0.0;  // from the guess along the motions that it calls free, in gyration radii
 };

@@ -34,6 +34,11 @@ double joint_conflict(const Evidence& evidence, const VerdictLimits& limits) {
   return mean / (std::lerp(limits.conflicting_on_planes, 1.0, beyond) * limits.max_mean_conflicting);
 }
 
+// Two ratios near their limits say more against a pose than one, where both contradict it for reasons of their own.
+double together(double one, double other) {
+  return other > 0.0 ? std::cbrt(std::pow(one, 3) + std::pow(other, 3)) : one;
+}
+
 // The ratios of one cloud's values to their limits, in the order of the enumeration of doubts.
 std::array<double, 5> strains(const Testimony& testimony, const VerdictLimits& limits) {
   const double min_agreeing = testimony.knows_free_space ? limits.min_agreeing : limits.min_agreeing_without_camera;
@@ -86,9 +91,11 @@ std::array<double, 7> strains(const Evidence& evidence, const VerdictLimits& lim
   const bool know_free_space = evidence.source_in_target.knows_free_space && evidence.target_in_source.knows_free_space;
   const bool asks = !know_free_space || is_far_from_guess(evidence, limits);
   const double only_planes = asks ? std::min(one[4], other[4]) : 0.0;
-  std::array<double, 7> all{std::max({one[0], other[0], joint}),
+  const double little_seen = std::max({one[0], other[0], joint}), conflict = joint_conflict(evidence, limits);
+  const double both = together(little_seen, conflict);
+  std::array<double, 7> all{little_seen > conflict ? both : little_seen,
                             std::max(one[1], other[1]),
-                            std::max({one[2], other[2], joint_conflict(evidence, limits)}),
+                            std::max({one[2], other[2], little_seen > conflict ? conflict : both}),
                             std::max(one[3], other[3]),
                             bare,
                             only_planes,

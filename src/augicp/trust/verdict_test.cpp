@@ -279,6 +279,22 @@ TEST(Verdict, BarePlanesWithPointsInFreeSpaceAreTrustedNearTheGuessOnly) {
   EXPECT_EQ(decide(AlignStatus::Converged, evidence).doubts, std::vector<Doubt>{Doubt::FreeSpace});
 }
 
+// Each ratio is 0.83 to 0.97, alone no doubt. The doubt is that of the larger one.
+TEST(Verdict, FarFromTheGuessLittleInViewAndFreeSpaceAddUp) {
+  const auto doubts_of = [](const Agreement& count, double moved) {
+    Evidence evidence = good_evidence();
+    evidence.source_in_target.count = evidence.target_in_source.count = count;
+    evidence.moved = moved;
+    return decide(AlignStatus::Converged, evidence).doubts;
+  };
+  const Agreement little{.agree = 300, .unseen = 700}, seen_through{.agree = 973, .conflict = 27};
+  const Agreement both{.agree = 292, .conflict = 8, .unseen = 700}, more{.agree = 389, .conflict = 11, .unseen = 600};
+  for (const Agreement& count : {little, seen_through}) EXPECT_EQ(doubts_of(count, 2.0), std::vector<Doubt>{});
+  EXPECT_EQ(doubts_of(both, 2.0), std::vector<Doubt>{Doubt::LittleSeen});
+  EXPECT_EQ(doubts_of(more, 2.0), std::vector<Doubt>{Doubt::FreeSpace});
+  for (const Agreement& count : {both, more}) EXPECT_EQ(doubts_of(count, 0.1), std::vector<Doubt>{});
+}
+
 // What one cloud has off its planes, the other may not have seen; a doubt needs both. A part on its model is not asked,
 // nor are clouds that know their free space, near the guess.
 TEST(Verdict, PlanesThatAgreeFarBetterThanTheRestAreADoubt) {
