@@ -31,6 +31,12 @@ TEST(ReadXyz, SeparatorsLineEndsAndCommentsDoNotMatter) {
   }
 }
 
+TEST(ReadXyz, PointsThatAreLeftOutAreCounted) {
+  const CloudFile file = parse("a.xyz", "1 2 3\nnan 2 3\n4 5 6\n7 8 9.25\n1 inf 3\n");
+  EXPECT_EQ(file.cloud.points, kXyzPoints);
+  EXPECT_THAT(file.report.warnings, ::testing::ElementsAre(::testing::HasSubstr("2 of 5 points are left out")));
+}
+
 TEST(ReadXyz, AHeaderNamesTheColumns) {
   const CloudFile file = parse("a.csv", "Intensity,Z,Y,X,nx,ny,nz\n9,3,2,1,0,0,2\n9,6,5,4,0,0,0\n9,9.25,8,7,1,0,0\n");
   EXPECT_EQ(file.cloud.points, kXyzPoints);

@@ -157,5 +157,13 @@ TEST(FindPose, ThePapersPresetIsRefused) {
   EXPECT_THROW(find_pose({}, {}, options), std::invalid_argument);
 }
 
+TEST(WithoutGuess, ThePaperStartsFromAGuess) {
+  RegistrationOptions options;
+  options.preset = Preset::Paper;
+  EXPECT_NO_THROW(options.check());
+  options.global = true;
+  EXPECT_THROW(options.check(), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace augicp

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "augicp/core/check.h"
 #include "augicp/registration/voxel_radius.h"
@@ -75,7 +76,8 @@ void RegistrationOptions::check() const {
   if (max_memory_gb) require(*max_memory_gb > 0.0, "max_memory_gb", *max_memory_gb, "must be above 0");
   require(max_iterations > 0, "max_iterations", max_iterations, "must be at least 1");
   require_not_negative("min_step", min_step);
-  require(!(global && preset == Preset::Paper), "global", global, "must be off under the paper's preset");
+  if (global && preset == Preset::Paper)
+    throw std::invalid_argument("global: the paper's preset iterates from the guess alone; use another preset");
   require(num_threads >= 0, "num_threads", num_threads, "must be at least 0 (0: all)");
 }
 
