@@ -21,14 +21,17 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
     case Doubt::LittleSeen:
       return fmt::format(
           "Small overlap: {:.1f} % and {:.1f} % are visible to the other sensor; {:.0f} % are required, more if less "
-          "agrees, and more still without lines of sight.",
+          "agrees, without lines of sight, or if points are in free space far from the guess.",
           100.0 * one.seen(), 100.0 * other.seen(), 100.0 * limits.min_margin);
     case Doubt::Disagreement:
       return fmt::format("Only {:.1f} % and {:.1f} % of the visible points are on the other's surface.",
                          100.0 * one.agreeing(), 100.0 * other.agreeing());
     case Doubt::FreeSpace:
-      return fmt::format("{:.1f} % and {:.1f} % are in free space of the other's camera; at most {:.0f} % are allowed.",
-                         100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting);
+      return fmt::format(
+          "{:.1f} % and {:.1f} % are in free space of the other's camera; at most {:.0f} % are allowed, and far from "
+          "the guess {:.0f} % on average, less if little is visible or off the large planes.",
+          100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting,
+          100.0 * limits.max_mean_conflicting);
     case Doubt::Contradiction:
       return fmt::format("A part of {:.1f} % and {:.1f} % leaves the other's surface where that goes on.",
                          100.0 * one.contradicting, 100.0 * other.contradicting);

@@ -9,7 +9,8 @@
 
 namespace augicp::app {
 
-// "strain,free_space_1,...": _1 is the source in the target, _2 the target in the source. Shares of 1.
+// "strain,free_space_1,...": _1 is the source in the target, _2 the target in the source. Seen to
+// off_planes are shares of 1.
 std::string evidence_header();
 
 // As many fields, all empty without evidence.

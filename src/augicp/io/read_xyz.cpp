@@ -135,9 +135,8 @@ CloudFile parse_xyz(const FileBytes& file, const ReadOptions& options) {
   if (notes.has_decimal_commas) read.report.warnings.push_back("commas in numbers were read as decimal points");
   if (!notes.uneven.empty()) read.report.warnings.push_back(notes.uneven);
   if (read.report.num_not_finite > 0)
-    read.report.warnings.push_back(
-        fmt::format("{} of {} points are left out: their positions are not finite, or beyond 1e18 m",
-                    read.report.num_not_finite, read.report.num_declared));
+    read.report.warnings.push_back(fmt::format("{} points read, {} left out: without a finite position within 1e18 m",
+                                               read.report.num_declared, read.report.num_not_finite));
   for (PointField& field : read.fields.fields) field = narrowed(std::move(field));
   if (!next_content(behind).empty()) read.report.warnings.push_back("lines after the declared points were not read");
   if (!ends_with_a_line_end(file.bytes)) read.report.warnings.push_back(kNoLineEndWarning);

@@ -36,7 +36,7 @@ double joint_conflict(const Evidence& evidence, const VerdictLimits& limits) {
 
 // Two ratios near their limits say more against a pose than one, where both contradict it for reasons of their own.
 double together(double one, double other) {
-  return other > 0.0 ? std::cbrt(std::pow(one, 3) + std::pow(other, 3)) : one;
+  return other > 0.0 ? std::cbrt(one * one * one + other * other * other) : one;
 }
 
 // The ratios of one cloud's values to their limits, in the order of the enumeration of doubts.
@@ -92,7 +92,7 @@ std::array<double, 7> strains(const Evidence& evidence, const VerdictLimits& lim
   const bool asks = !know_free_space || is_far_from_guess(evidence, limits);
   const double only_planes = asks ? std::min(one[4], other[4]) : 0.0;
   const double little_seen = std::max({one[0], other[0], joint}), conflict = joint_conflict(evidence, limits);
-  const double both = together(little_seen, conflict);
+  const double both = together(little_seen, conflict);  // a doubt of the larger one
   std::array<double, 7> all{little_seen > conflict ? both : little_seen,
                             std::max(one[1], other[1]),
                             std::max({one[2], other[2], little_seen > conflict ? conflict : both}),

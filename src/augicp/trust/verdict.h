@@ -107,8 +107,8 @@ struct VerdictLimits {
   // largest mean of both sides' shares in free space is then this, if at least this share is off the planes. The fewer
   // are, the less: the walls of another room fit, and only free space contradicts. Without any it is this part. Right
   // poses of generated rooms and LiDAR scans have up to 0.93 of the limit, and wrong ones of rooms that share nothing
-  // and pass all other limits 1.08 and more. Both ratios, c of this limit and m of min_margin, count together: the
-  // cubic root of c^3 + m^3 is at most 1. Right poses have up to 0.93, four of six wrong ones that pass all else 1.04
+  // and pass all other limits 1.08 and more. Both ratios, c of this limit and m of little_seen, count together: the
+  // cube root of c^3 + m^3 is at most 1. Right poses have up to 0.93, four of six wrong ones that pass all else 1.04
   // and more.
   double max_moved_near_guess = 0.5;
   double max_mean_conflicting = 0.03;

@@ -26,6 +26,8 @@ constexpr double kLessPlausible = 0.2;
 constexpr double kMaxGain = 0.2;
 constexpr std::size_t kMaxRivals = 3;
 
+constexpr std::size_t kEnoughPoints = 1000;
+
 constexpr std::size_t kNumNormals = 512;  // that vote for the axes
 const double kAlike = std::cos(10.0 * kRadPerDeg), kAcross = std::sin(10.0 * kRadPerDeg);
 
@@ -95,6 +97,31 @@ std::vector<Rigid3> rival_starts(const Cloud& target, const Rigid3& found, doubl
   return starts;
 }
 
+// Objects keep few points in the voxels of a search, and their legs and walls are thinner than these.
+PreparedPair on_enough_points(const ScanPair& pair, int num_threads) {
+  PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels, num_threads);
+  if (std::min(coarse.source.cloud.size(), coarse.target.cloud.size()) >= kEnoughPoints) return coarse;
+  return coarser(pair, kCoarseColumns, 0.5 * kCoarseVoxels, num_threads);
+}
+
+void erase_hopeless(std::vector<Hypothesis>& hypotheses, double least_plausible) {
+  std::erase_if(hypotheses, [&](const Hypothesis& rival) { return rival.plausibility < least_plausible; });
+}
+
+// Where the starts lead that are worth it after the first iterations.
+std::vector<Hypothesis> led_rivals(const ScanMatch& match, const std::vector<Rigid3>& starts, const KnowsPose& is_back,
+                                   double least_plausible) {
+  AlignOptions by = match.usual_options();
+  by.max_iterations = kFirstIterations;
+  auto begun = scouted(match, starts, by, is_back);
+  erase_hopeless(begun, least_plausible - kMaxGain);
+  std::vector<Rigid3> best;
+  for (const Hypothesis& start : best_of(std::move(begun), kMaxRivalsLedOn, match.scans().lengths.radius, kSameAngle))
+    best.push_back(start.target_from_source);
+  by.max_iterations = kIterations;
+  return scouted(match, best, by, is_back);
+}
+
 }  // namespace
 
 bool differ_clearly(const Cloud& source, const Rigid3& a, const Rigid3& b, double limit) {
@@ -120,31 +147,22 @@ Mat3d scene_axes(const Cloud& cloud) {
 
 std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_target_from_source,
                                   const RegistrationOptions& options) {
-  const PreparedPair coarse = coarser(pair, kCoarseColumns, kCoarseVoxels, options.num_threads);
+  const PreparedPair coarse = on_enough_points(pair, options.num_threads);
   const ScanMatch match(coarse, options);
   const auto is_back = [&](const Rigid3& pose) {  // where most starts lead, and soon
     return !differ_clearly(coarse.source.cloud, pose, found_target_from_source,
                            kClearlyPerRadius * pair.lengths.radius);
   };
   const double least = match.plausibility(found_target_from_source, options.num_threads) - kLessPlausible;
-  const auto erase_hopeless = [](std::vector<Hypothesis>& hypotheses, double least_plausible) {
-    std::erase_if(hypotheses, [&](const Hypothesis& rival) { return rival.plausibility < least_plausible; });
-  };
-  AlignOptions by = match.usual_options();
-  by.max_iterations = kFirstIterations;
-  auto begun =
-      scouted(match, rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent), by, is_back);
-  erase_hopeless(begun, least - kMaxGain);
-  begun = best_of(std::move(begun), kMaxRivalsLedOn, pair.lengths.radius, kSameAngle);
-  std::vector<Rigid3> starts;
-  starts.reserve(begun.size());
-  for (const Hypothesis& start : begun) starts.push_back(start.target_from_source);
-  by.max_iterations = kIterations;
-  std::vector<Hypothesis> found = scouted(match, starts, by, is_back);
-  erase_hopeless(found, least);
+  const std::vector<Rigid3> starts = rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent);
+  // Few points may lose a start that fits: where legs are thin. So the starts themselves are rivals, too.
+  auto led = led_rivals(match, starts, is_back, least), unmoved = as_they_are(match, starts, options.num_threads);
   std::vector<Rigid3> rivals;
-  for (const Hypothesis& rival : best_of(std::move(found), kMaxRivals, pair.lengths.radius, kSameAngle))
-    rivals.push_back(rival.target_from_source);
+  for (std::vector<Hypothesis>* some : {&led, &unmoved}) {
+    erase_hopeless(*some, least);
+    for (const Hypothesis& rival : best_of(std::move(*some), kMaxRivals, pair.lengths.radius, kSameAngle))
+      rivals.push_back(rival.target_from_source);
+  }
   return rivals;
 }
 

@@ -69,6 +69,26 @@ TEST(Rivals, FurnitureTellsWhichWayRound) {
 }
 
 // The axes of a scene turn with it, up to their order and signs.
+// The same after half a turn about the vertical; on few points legs and plate are no thicker than the spacing.
+Scan table(unsigned seed) {
+  std::mt19937 generator(seed);
+  Cloud cloud;
+  add_box({1.2, 0.7, 0.03}, {0.0, 0.0, 0.7}, 8000, generator, cloud);
+  for (const double x : {-0.55, 0.55})
+    for (const double y : {-0.3, 0.3}) add_box({0.05, 0.05, 0.7}, {x, y, 0.35}, 1000, generator, cloud);
+  return scan_of(std::move(cloud));
+}
+
+TEST(Rivals, ATableIsAmbiguousFromEitherGuess) {
+  for (const double angle_rad : {0.0, std::numbers::pi}) {
+    SCOPED_TRACE(angle_rad);
+    Scan source = table(1);
+    source.cloud = transform(source.cloud, inverse(kTrueMotion));
+    const Rigid3 guess{rotation_exp({0.0, 0.0, angle_rad}), Vec3d::Zero()};
+    EXPECT_EQ(register_scans(std::move(source), table(2), guess).result.status, AlignStatus::Ambiguous);
+  }
+}
+
 TEST(SceneAxes, TurnWithTheScene) {
   const RegistrationOptions options;
   for (const Vec3d& turn : {Vec3d(0.0, 0.0, 0.0), Vec3d(0.3, -0.8, 0.5), Vec3d(-1.2, 0.1, 0.9)}) {
