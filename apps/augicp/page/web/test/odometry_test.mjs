@@ -79,7 +79,7 @@ test("a LiDAR's page says what it is", () => inPage(browser, pages.lidar, {}, as
   assert.match(await page.locator("main").innerText(), /Overlap with the map/);
 }));
 
-test("beside the picture the table of errors is whole", () => inPage(browser, pages.camera, {}, async (page) => {
+test("beside the picture the table of errors is whole", () => inPage(browser, pages.camera, { viewport: { width: 1280, height: 720 } }, async (page) => {
   assert.ok((await page.locator("table").count()) > 0);
   assert.deepEqual(await cutTables(page), []);
 }));

@@ -67,7 +67,7 @@ test("errors without alignment are a column only where an estimate is in the fra
   await inPage(browser, elsewhere, {}, async (shown) => assert.ok(!(await headings(shown)).includes("not aligned")));
 });
 
-test("the table is whole beside the picture, and a number keeps its unit", () => inPage(browser, page, {}, async (shown) => {
+test("the table is whole beside the picture, and a number keeps its unit", () => inPage(browser, page, { viewport: { width: 1280, height: 720 } }, async (shown) => {
   assert.deepEqual(await cutTables(shown), []);
   const texts = await shown.locator("tbody td").allTextContents();
   assert.ok(texts.some((text) => /\d\u00a0m, /.test(text)), `${texts}`);
