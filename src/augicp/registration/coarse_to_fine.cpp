@@ -103,10 +103,11 @@ std::vector<AlignResult> from_each(const FullResolution& full, const std::vector
 
 // A pose that was found on few points and may fit: itself, or where it leads to. It is off by up to the spacing of the
 // points, more than thin walls allow.
-std::optional<Rigid3> promising(const Rigid3& found_on_few, const FullResolution& full) {
-  if (full.is_promising(found_on_few)) return found_on_few;
+std::optional<Rigid3> promising(const Rigid3& found_on_few, const AlignResult& best, const FullResolution& full) {
+  const double moved = best.evidence->moved;
+  if (full.is_promising(found_on_few, moved)) return found_on_few;
   const Rigid3 refined = full.refined(found_on_few);
-  return full.is_promising(refined) ? std::optional(refined) : std::nullopt;
+  return full.is_promising(refined, moved) ? std::optional(refined) : std::nullopt;
 }
 
 std::vector<Rigid3> rivals_of(const AlignResult& found, const ScanPair& pair, const FullResolution& full,
@@ -115,7 +116,7 @@ std::vector<Rigid3> rivals_of(const AlignResult& found, const ScanPair& pair, co
       reported(options.on_stage, Stage::Rivals, [&] { return search_rivals(pair, found.target_from_source, options); });
   std::vector<Rigid3> chosen;
   for (const Rigid3& rival : rivals) {
-    const std::optional<Rigid3> start = promising(rival, full);
+    const std::optional<Rigid3> start = promising(rival, found, full);
     if (start && is_elsewhere(*start, found, pair)) chosen.push_back(*start);
   }
   return chosen;

@@ -210,8 +210,10 @@ Rigid3 FullResolution::refined(const Rigid3& target_from_source) const {
   return has_pose(result.status) ? result.target_from_source : target_from_source;
 }
 
-bool FullResolution::is_promising(const Rigid3& target_from_source) const {
-  return strain(judge_.evidence(target_from_source)) < kMaxStrainOfRival;
+bool FullResolution::is_promising(const Rigid3& target_from_source, double max_moved) const {
+  Evidence evidence = judge_.evidence(target_from_source);
+  evidence.moved = std::min(evidence.moved, max_moved);
+  return strain(evidence) < kMaxStrainOfRival;
 }
 
 }  // namespace augicp

@@ -32,8 +32,9 @@ class FullResolution {
   // scans is off by up to their spacing.
   Rigid3 refined(const Rigid3& target_from_source) const;
 
-  // Whether a pose found on few points is near enough to a supported one to be led on.
-  bool is_promising(const Rigid3& target_from_source) const;
+  // Whether a pose found on few points is near enough to a supported one to be led on. A rival of a pose lies far from
+  // the guess by its nature: it counts as if it had moved no farther than that pose, see Evidence::moved.
+  bool is_promising(const Rigid3& target_from_source, double max_moved = kMovedFromAnywhere) const;
 
  private:
   using Matchers = std::pair<std::unique_ptr<ScanMatcher>, std::unique_ptr<ScanMatcher>>;  // of target and source

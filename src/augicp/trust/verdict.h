@@ -179,7 +179,8 @@ struct RunnerUp {
 };
 
 // Whether the evidence supports another pose as well as the best one. A rival lies far from the guess by its nature: it
-// counts as if it had moved no farther than the best pose.
+// counts as if it had moved no farther than the best pose. Its strain is at most 1, or 1.25 times that of the best
+// pose: near a limit, which of two poses that fit alike is refused is chance.
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits = {});
 
 // Whether the pose that the guess leads to may be the right one although a limit refuses it by little, or although it

@@ -172,6 +172,19 @@ TEST(Verdict, ARivalFitsAsWellIfItsEvidenceIsAsGood) {
   EXPECT_TRUE(fits_as_well(far, good_evidence()));
 }
 
+// How the points fall moves the strain: near a limit, which of two poses that fit alike is refused is chance.
+TEST(Verdict, ARivalBesideAPoseNearALimitMayMissItByLittle) {
+  Evidence best = good_evidence(), rival = best;
+  best.target_in_source.count = {.agree = 953, .conflict = 47};
+  rival.target_in_source.count = {.agree = 945, .conflict = 55};
+  EXPECT_GT(strain(best), 0.9);
+  EXPECT_GT(strain(rival), 1.0);
+  EXPECT_TRUE(fits_as_well(rival, best));
+  EXPECT_FALSE(fits_as_well(rival, good_evidence()));
+  rival.target_in_source.count = {.agree = 930, .conflict = 70};
+  EXPECT_FALSE(fits_as_well(rival, best));
+}
+
 // A pose that a limit refuses by little may still be the right one, one that it refuses by much is not.
 TEST(Verdict, WhatTheGuessLeadsToMayFitThoughALimitRefusesIt) {
   Evidence of_guess = good_evidence();
