@@ -10,6 +10,7 @@
 #include "augicp/odometry/lidar_testing.h"
 #include "augicp/synthetic/lidar.h"
 #include "augicp/synthetic/outdoor_scenes.h"
+#include "augicp/testing/repeats.h"
 #include "augicp/testing/scenes.h"
 
 namespace augicp {
@@ -68,7 +69,7 @@ TEST(LidarSkew, ASensorThatTurnsInARoomStaysAtItsHeight) {
   };
   synthetic::Lidar lidar = lidar_of(720);
   lidar.range_sigma = 0.02;
-  for (const unsigned seed : {1u, 2u, 3u})
+  for (const unsigned seed : testing::cases({1u, 2u, 3u}, 1))
     EXPECT_LT(worst_of_scans_at_once(testing::room(seed), motion, 16, lidar), 0.15) << "room " << seed;
 }
 

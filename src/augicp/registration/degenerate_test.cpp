@@ -86,7 +86,7 @@ TEST(Degenerate, AWallHoldsThreeMotionsAndLeavesThree) {
   const Rigid3 motion{Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Vec3d(0.6, 0.0, 0.8))), {0.03, 0.02, 0.05}};
   const Vec3d normal = inverse(wall.scene.world_from_camera).rotation * wall.axis_in_world;
   for (const Method method : {Method::Augmented, Method::Ndt})
-    for (const double noise : {0.0, testing::kKinectSigmaAt1m}) {
+    for (const double noise : testing::cases({testing::kKinectSigmaAt1m, 0.0}, 1)) {
       const AlignResult result = aligned(wall, motion, noise, 1, method);
       ASSERT_EQ(result.status, AlignStatus::Degenerate);
       const Rigid3& found = result.target_from_source;

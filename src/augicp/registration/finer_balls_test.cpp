@@ -12,6 +12,7 @@
 #include "augicp/synthetic/objects.h"
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/rendering.h"
+#include "augicp/testing/repeats.h"
 #include "augicp/testing/room_pair.h"
 #include "augicp/testing/scenes.h"
 
@@ -58,7 +59,8 @@ TEST(FinerBalls, HoldAChairThatWiderOnesLetSlide) {
 // Of a part that shows all of itself a little disagrees in smaller balls. It is a part all the same.
 TEST(FinerBalls, APartIsOneInThemToo) {
   const RawPair table = moved("table", 20000);
-  for (const Vec3d& towards_viewer : {Vec3d(0.4, 0.7, 0.6), Vec3d(-0.6, 0.3, 0.7), Vec3d(0.2, -0.9, 0.4)}) {
+  for (const Vec3d& towards_viewer :
+       testing::cases({Vec3d(0.4, 0.7, 0.6), Vec3d(-0.6, 0.3, 0.7), Vec3d(0.2, -0.9, 0.4)}, 1)) {
     std::mt19937 generator(3);
     const Cloud side =
         synthetic::sampled_side(object_named("table"), 10000, 5e-4, towards_viewer.normalized(), 1.5, generator);

@@ -11,6 +11,7 @@
 #include "augicp/testing/matchers.h"
 #include "augicp/testing/poses.h"
 #include "augicp/testing/random_clouds.h"
+#include "augicp/testing/repeats.h"
 #include "augicp/testing/room_pair.h"
 
 namespace augicp {
@@ -32,7 +33,7 @@ testing::ScanPair drawn_pair(unsigned seed, bool as_clouds) {
 TEST(Ndt, ImagesAndCloudsMeet) {
   for (const Preset preset : {Preset::Default, Preset::Paper})
     for (const bool as_clouds : {false, true})
-      for (const unsigned seed : {1u, 2u, 3u}) {
+      for (const unsigned seed : testing::cases({1u, 2u, 3u}, 1)) {
         const testing::ScanPair pair = drawn_pair(seed, as_clouds);
         RegistrationOptions options = ndt();
         options.preset = preset;
