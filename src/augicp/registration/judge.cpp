@@ -42,6 +42,16 @@ std::optional<RangeImage> sights_of(const Scan& scan, const Lengths& lengths) {
   return lines_of_sight(scan.cloud, static_cast<float>(kDistancePerRadius * lengths.radius), scan.place_is_known);
 }
 
+// Whether the place of its sensor is told, by a camera, a file or the scan's rays. From a frame's zero inside a model
+// no point of the model lies behind others either.
+bool has_known_place(const Scan& scan) { return scan.view || scan.place_is_known || scan.cloud.viewpoint; }
+
+// As a cloud says it that does not know where it was seen from: from a wrong place, what contradicts it is hidden.
+std::vector<PointAgreement> without_hidden(std::vector<PointAgreement> said) {
+  std::replace(said.begin(), said.end(), PointAgreement::Hidden, PointAgreement::Unseen);
+  return said;
+}
+
 // The last step of the loop, where the points are. A loop of one iteration has shown no small step.
 void add_last_step(const AlignResult& result, double extent, Evidence& evidence) {
   const std::size_t count = result.history.size();
@@ -112,10 +122,13 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
 }
 
 Judge::Side Judge::source_in_target() const {
-  return {of_source_, on_planes_of_source_, target_says_ ? *target_says_ : matcher_, on_target_};
+  return {of_source_, on_planes_of_source_, target_says_ ? *target_says_ : matcher_, on_target_,
+          has_known_place(pair_.target)};
 }
 
-Judge::Side Judge::target_in_source() const { return {of_target_, on_planes_of_target_, *source_says_, on_source_}; }
+Judge::Side Judge::target_in_source() const {
+  return {of_target_, on_planes_of_target_, *source_says_, on_source_, has_known_place(pair_.source)};
+}
 
 std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) const {
   const int num_threads = options_.num_threads, half = half_of_threads(num_threads);
@@ -132,7 +145,8 @@ std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) 
 Testimony Judge::testimony(const Side& side, const PosedCloud& other, bool is_far_from_guess, int num_threads) const {
   const auto of_point = side.other.agreements(side.asked, other.this_from_asked, side.on_other, num_threads);
   Testimony testimony{counted(of_point), side.other.knows_free_space()};
-  if (!testimony.knows_free_space) testimony.contradicting = contradicting_share(side.asked, of_point, other);
+  if (!testimony.knows_free_space || !side.sees_from_known_place)
+    testimony.contradicting = contradicting_share(side.asked, without_hidden(of_point), other);
   if (!on_planes_of_source_.empty())
     testimony.off_planes = agreement_off_planes(of_point, side.on_planes);
   else if (is_far_from_guess)  // although the free space is known: the planes of another room fit as well

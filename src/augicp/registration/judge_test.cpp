@@ -198,6 +198,37 @@ TEST(Judge, APoseThatHasLeftTheGuessAlongWhatIsFreeIsDoubtful) {
   EXPECT_THAT(judged({0.1, 0.0, 0.0}).doubts, ::testing::ElementsAre(Doubt::LeftGuess));
 }
 
+// Three faces about the frame's zero, and a boss on one of them, as a cloud that was sampled from outside.
+Cloud faces_with_boss(float boss_at) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<float> side(-1.0f, 1.0f);
+  Cloud cloud;
+  for (std::size_t k = 0; k < 24000; ++k) {
+    Vec3f point(side(generator), side(generator), side(generator));
+    point[static_cast<int>(k % 3)] = 1.0f;
+    const float from_boss = (point - Vec3f(1.0f, boss_at, boss_at)).cwiseAbs().maxCoeff();
+    if (point.x() == 1.0f) point.x() += std::clamp(0.5f - from_boss, 0.0f, 0.3f);
+    cloud.points.push_back(point);
+  }
+  return cloud;
+}
+
+// From the zero, which fits as the place of a sensor, the boss is hidden by the other's face. It contradicts all the
+// same, unless it is told that the sensor was there.
+TEST(Judge, WhatIsHiddenFromAPlaceThatIsOnlyAssumedMayContradict) {
+  const auto evidence = [](bool is_told) {
+    Pair pair{scan_of(faces_with_boss(0.4f)), scan_of(faces_with_boss(-0.4f)), {}};
+    if (is_told) pair.source.cloud.viewpoint = pair.target.cloud.viewpoint = Vec3f::Zero();
+    return evidence_at(pair, {});
+  };
+  const Testimony assumed = evidence(false).source_in_target, told = evidence(true).source_in_target;
+  EXPECT_TRUE(assumed.knows_free_space);
+  EXPECT_TRUE(told.knows_free_space);
+  EXPECT_EQ(assumed.count, told.count);
+  EXPECT_GT(assumed.contradicting, VerdictLimits{}.max_contradicting);
+  EXPECT_EQ(told.contradicting, 0.0);
+}
+
 TEST(Judge, FarApartIsNoOverlap) {
   const Pair pair = near_pair();
   const Rigid3 far{Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}};

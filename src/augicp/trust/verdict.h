@@ -24,7 +24,7 @@ struct Testimony {
   bool knows_free_space = false;  // it is a depth image, so free space is known
 
   // Share of the largest part that contradicts the other cloud, see contradiction.h. Not asked, and 0, where free space
-  // is known: what moved between the scans stands in it.
+  // is known from a place that is more than assumed: what moved between the scans stands in it.
   double contradicting = 0.0;
 
   // How well points off the large planes agree, relative to those on them, see beyond_planes.h. Not asked, and 1, where
@@ -179,8 +179,8 @@ struct RunnerUp {
 };
 
 // Whether the evidence supports another pose as well as the best one. A rival lies far from the guess by its nature: it
-// counts as if it had moved no farther than the best pose. Its strain is at most 1, or 1.25 times that of the best
-// pose: near a limit, which of two poses that fit alike is refused is chance.
+// counts as if it had moved no farther than the best pose. Its strain exceeds that of the best pose by at most 0.2:
+// between poses that fit alike it differs by chance.
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits = {});
 
 // Whether the pose that the guess leads to may be the right one although a limit refuses it by little, or although it

@@ -172,16 +172,20 @@ TEST(Verdict, ARivalFitsAsWellIfItsEvidenceIsAsGood) {
   EXPECT_TRUE(fits_as_well(far, good_evidence()));
 }
 
-// How the points fall moves the strain: near a limit, which of two poses that fit alike is refused is chance.
-TEST(Verdict, ARivalBesideAPoseNearALimitMayMissItByLittle) {
+// Between poses that fit alike the strain differs by chance, on either side of a limit. One that fits clearly worse is
+// no rival, though no limit refuses it.
+TEST(Verdict, ARivalMustNotBeClearlyWorse) {
   Evidence best = good_evidence(), rival = best;
   best.target_in_source.count = {.agree = 953, .conflict = 47};
   rival.target_in_source.count = {.agree = 945, .conflict = 55};
   EXPECT_GT(strain(best), 0.9);
   EXPECT_GT(strain(rival), 1.0);
   EXPECT_TRUE(fits_as_well(rival, best));
-  EXPECT_FALSE(fits_as_well(rival, good_evidence()));
   rival.target_in_source.count = {.agree = 930, .conflict = 70};
+  EXPECT_FALSE(fits_as_well(rival, best));
+  best.source_in_target.count = best.target_in_source.count = {.agree = 1000};
+  rival.target_in_source.count = {.agree = 975, .conflict = 25};
+  EXPECT_LT(strain(rival), 1.0);
   EXPECT_FALSE(fits_as_well(rival, best));
 }
 
