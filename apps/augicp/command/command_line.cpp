@@ -44,7 +44,7 @@ void set_up_command_line(CLI::App& app, int& exit_code) {
   app.footer(
       "Exit codes: 0 success, 1 internal error, 2 usage, 3 unreadable input or unwritable output, 4 registration "
       "failed,\n"
-      "            5 result found but degenerate or doubtful, 130 interrupted, 143 terminated.");
+      "            5 result found but degenerate, doubtful or ambiguous, 130 interrupted, 143 terminated.");
   add_align_command(app, exit_code);
   add_evaluate_command(app, exit_code);
   add_experiment_command(app, exit_code);
