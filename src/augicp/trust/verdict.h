@@ -179,7 +179,7 @@ struct RunnerUp {
 };
 
 // Whether the evidence supports another pose as well as the best one. A rival lies far from the guess by its nature: it
-// counts as if it had moved no farther than the best pose. Its strain exceeds that of the best pose by at most 0.2:
+// counts as if it had moved no farther than the best pose. Its strain exceeds that of the best pose by at most 0.4:
 // between poses that fit alike it differs by chance.
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits = {});
 
