@@ -30,7 +30,10 @@ run(${preset} -DBUILD_SHARED_LIBS=ON -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
   -DAUGICP_WARNINGS_AS_ERRORS=${WARNINGS_AS_ERRORS})
 # The path of a file that includes several others is part of its command, so those of BUILD are compiled.
 file(READ ${SHARED_BUILD}/build.ninja steps)
-string(REGEX REPLACE "${SHARED_BUILD}/([^ ]*/Unity/unity_)" "${BUILD}/\\1" steps "${steps}")
+file(GLOB_RECURSE unities RELATIVE ${BUILD} ${BUILD}/unity_*.cxx)
+foreach(unity ${unities})
+  string(REPLACE "${SHARED_BUILD}/${unity}" "${BUILD}/${unity}" steps "${steps}")
+endforeach()
 file(WRITE ${SHARED_BUILD}/build.ninja "${steps}")
 run(${CMAKE_COMMAND} --build ${SHARED_BUILD})
 

@@ -42,11 +42,11 @@ std::optional<RangeImage> sights_of(const Scan& scan, const Lengths& lengths) {
   return lines_of_sight(scan.cloud, static_cast<float>(kDistancePerRadius * lengths.radius), scan.place_is_known);
 }
 
-// Whether the place of its sensor is told, by a camera, a file or the scan's rays. From a frame's zero inside a model
-// no point of the model lies behind others either.
+// Whether a camera, a file or the scan's rays give the place of the sensor. An assumed place may be wrong: from inside
+// a model, no point of it lies behind others either.
 bool has_known_place(const Scan& scan) { return scan.view || scan.place_is_known || scan.cloud.viewpoint; }
 
-// As a cloud says it that does not know where it was seen from: from a wrong place, what contradicts it is hidden.
+// The same without lines of sight: a point that is hidden from a wrong place may contradict.
 std::vector<PointAgreement> without_hidden(std::vector<PointAgreement> said) {
   std::replace(said.begin(), said.end(), PointAgreement::Hidden, PointAgreement::Unseen);
   return said;

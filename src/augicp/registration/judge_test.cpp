@@ -213,20 +213,20 @@ Cloud faces_with_boss(float boss_at) {
   return cloud;
 }
 
-// From the zero, which fits as the place of a sensor, the boss is hidden by the other's face. It contradicts all the
-// same, unless it is told that the sensor was there.
+// From the zero, which fits as the place of a sensor, the other's face hides the boss. It contradicts all the same,
+// unless the clouds give that place.
 TEST(Judge, WhatIsHiddenFromAPlaceThatIsOnlyAssumedMayContradict) {
-  const auto evidence = [](bool is_told) {
+  const auto evidence = [](bool has_viewpoint) {
     Pair pair{scan_of(faces_with_boss(0.4f)), scan_of(faces_with_boss(-0.4f)), {}};
-    if (is_told) pair.source.cloud.viewpoint = pair.target.cloud.viewpoint = Vec3f::Zero();
+    if (has_viewpoint) pair.source.cloud.viewpoint = pair.target.cloud.viewpoint = Vec3f::Zero();
     return evidence_at(pair, {});
   };
-  const Testimony assumed = evidence(false).source_in_target, told = evidence(true).source_in_target;
+  const Testimony assumed = evidence(false).source_in_target, known = evidence(true).source_in_target;
   EXPECT_TRUE(assumed.knows_free_space);
-  EXPECT_TRUE(told.knows_free_space);
-  EXPECT_EQ(assumed.count, told.count);
+  EXPECT_TRUE(known.knows_free_space);
+  EXPECT_EQ(assumed.count, known.count);
   EXPECT_GT(assumed.contradicting, VerdictLimits{}.max_contradicting);
-  EXPECT_EQ(told.contradicting, 0.0);
+  EXPECT_EQ(known.contradicting, 0.0);
 }
 
 TEST(Judge, FarApartIsNoOverlap) {
