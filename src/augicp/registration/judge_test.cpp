@@ -198,16 +198,17 @@ TEST(Judge, APoseThatHasLeftTheGuessAlongWhatIsFreeIsDoubtful) {
   EXPECT_THAT(judged({0.1, 0.0, 0.0}).doubts, ::testing::ElementsAre(Doubt::LeftGuess));
 }
 
-// Three faces about the frame's zero, and a boss on one of them, as a cloud that was sampled from outside.
-Cloud faces_with_boss(float boss_at) {
+// Three faces about the frame's zero, and a boss of this height on one of them, as a cloud that was sampled from
+// outside.
+Cloud faces_with_boss(float height_m) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<float> side(-1.0f, 1.0f);
   Cloud cloud;
   for (std::size_t k = 0; k < 24000; ++k) {
     Vec3f point(side(generator), side(generator), side(generator));
     point[static_cast<int>(k % 3)] = 1.0f;
-    const float from_boss = (point - Vec3f(1.0f, boss_at, boss_at)).cwiseAbs().maxCoeff();
-    if (point.x() == 1.0f) point.x() += std::clamp(0.5f - from_boss, 0.0f, 0.3f);
+    const float from_boss = (point - Vec3f(1.0f, 0.4f, 0.4f)).cwiseAbs().maxCoeff();
+    if (point.x() == 1.0f) point.x() += std::clamp(0.5f - from_boss, 0.0f, height_m);
     cloud.points.push_back(point);
   }
   return cloud;
@@ -217,7 +218,7 @@ Cloud faces_with_boss(float boss_at) {
 // unless the clouds give that place.
 TEST(Judge, WhatIsHiddenFromAPlaceThatIsOnlyAssumedMayContradict) {
   const auto evidence = [](bool has_viewpoint) {
-    Pair pair{scan_of(faces_with_boss(0.4f)), scan_of(faces_with_boss(-0.4f)), {}};
+    Pair pair{scan_of(faces_with_boss(0.3f)), scan_of(faces_with_boss(0.0f)), {}};
     if (has_viewpoint) pair.source.cloud.viewpoint = pair.target.cloud.viewpoint = Vec3f::Zero();
     return evidence_at(pair, {});
   };
