@@ -6,6 +6,7 @@
 """
 import csv
 import io
+import os
 import subprocess
 import sys
 import tempfile
@@ -115,6 +116,18 @@ class ExperimentTest(unittest.TestCase):
             text = page.read_text()
         for part in ("How often each status is right", "objects moved", "wrong, converged", "wrong, accepted"):
             self.assertIn(part, text)
+
+    def test_verdict_writes_the_evidence_of_each_pair(self):
+        """A doubt, apart from that of the guess, is a strain above 1."""
+        table = rows("verdict", DESK, "--camera", "tum-fr1", "--time-offset", -0.022, "--gaps", 1, 25, "--table", os.devnull,
+                     "--output", "-")
+        self.assertGreater(len(table), 20)
+        for row in table:
+            self.assertNotIn(None, row.values(), row)  # as many fields as columns
+            if row["strain"]:
+                doubts = set(row["doubts"].split()) - {"left_guess"}
+                self.assertEqual(float(row["strain"]) > 1.0, bool(doubts), row)
+                self.assertLessEqual(float(row["agreeing_1"]), 1.0)
 
     def test_another_seed_is_another_run(self):
         self.assertNotEqual(run(*SYNTHETIC).stdout, run(*SYNTHETIC, "--seed", 7).stdout)

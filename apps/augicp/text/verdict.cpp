@@ -5,33 +5,37 @@
 
 #include <limits>
 
+#include "apps/augicp/text/evidence.h"
 #include "augicp/core/angles.h"
 
 namespace augicp::app {
 namespace {
 
-std::string testimony_csv(const Testimony& testimony) {
-  return fmt::format(",{:.4f},{:.4f},{:.4f}", testimony.seen(), testimony.agreeing(), testimony.conflicting());
+// Words without commas, for one field.
+std::string doubts_csv(std::span<const Doubt> doubts) {
+  std::string text;
+  for (const Doubt doubt : doubts) text += (text.empty() ? "" : " ") + std::string(name_of(doubt));
+  return text;
 }
 
 }  // namespace
 
 std::string verdict_csv(std::span<const VerdictPair> pairs) {
   std::string text =
-      "target_sequence,target,source_sequence,source,truth,status,without_verdict,true_overlap,translation_error_m,"
-      "rotation_error_deg,strain,seen_1,agreeing_1,conflicting_1,seen_2,agreeing_2,conflicting_2,point_residual_m,"
-      "normal_residual_deg,last_step,last_rotation_step,observability,beyond_planes,moved,nees\n";
+      "target_sequence,target,source_sequence,source,truth,status,without_verdict,doubts,true_overlap,"
+      "translation_error_m,rotation_error_deg,point_residual_m,normal_residual_deg,last_step,last_rotation_step,nees," +
+      evidence_header() + "\n";
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const VerdictPair& pair : pairs) {
     const Evidence evidence = pair.evidence.value_or(Evidence{});
-    text += fmt::format("{},{},{},{},{},{},{},{:.4f},{:.5f},{:.4f},{:.4f}", pair.target_sequence, pair.target,
-                        pair.source_sequence, pair.source, name_of(pair.truth), name_of(pair.status),
-                        name_of(pair.without_verdict), pair.true_overlap, pair.error ? pair.error->translation : nan,
-                        pair.error ? pair.error->rotation * kDegPerRad : nan, pair.evidence ? strain(evidence) : nan);
-    text += testimony_csv(evidence.source_in_target) + testimony_csv(evidence.target_in_source);
-    text += fmt::format(",{:.6f},{:.4f},{:.3e},{:.3e},{:.3e},{:.4f},{:.4f},{:.4g}\n", evidence.residuals.point.median,
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{:.4f},{:.5f},{:.4f}", pair.target_sequence, pair.target,
+                    pair.source_sequence, pair.source, name_of(pair.truth), name_of(pair.status),
+                    name_of(pair.without_verdict), doubts_csv(pair.doubts), pair.true_overlap,
+                    pair.error ? pair.error->translation : nan, pair.error ? pair.error->rotation * kDegPerRad : nan);
+    text += fmt::format(",{:.6f},{:.4f},{:.3e},{:.3e},{:.4g},{}\n", evidence.residuals.point.median,
                         evidence.residuals.normal.median * kDegPerRad, evidence.last_step, evidence.last_rotation_step,
-                        evidence.observability, evidence.beyond_planes, evidence.moved, pair.nees.value_or(nan));
+                        pair.nees.value_or(nan), evidence_csv(pair.evidence));
   }
   return text;
 }

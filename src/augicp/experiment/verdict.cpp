@@ -70,6 +70,7 @@ void register_pair(const Scan& source, const Scan& target, const std::optional<R
                                  ? register_scans(bare(source), bare(target), {}, options.registration).result
                                  : register_scans(source, target, {}, options.registration).result;
   pair.status = result.status;
+  pair.doubts = result.doubts;
   pair.evidence = result.evidence;
   const bool ended = static_cast<int>(result.history.size()) < options.registration.max_iterations;
   const bool by_verdict = result.status == AlignStatus::Doubtful || result.status == AlignStatus::Ambiguous ||

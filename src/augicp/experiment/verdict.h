@@ -72,6 +72,7 @@ struct VerdictPair {
   double true_overlap = 0.0;  // share of the source's points that the target sees under the true motion
   AlignStatus status = AlignStatus::TooFewPairs;
   AlignStatus without_verdict = AlignStatus::TooFewPairs;  // status of the iteration alone
+  std::vector<Doubt> doubts;                               // as AlignResult::doubts
   std::optional<Evidence> evidence;
   std::optional<double> nees;  // the normalised error squared, over six: 1 on average if the covariance is right
 };
