@@ -52,6 +52,12 @@ std::vector<PointAgreement> without_hidden(std::vector<PointAgreement> said) {
   return said;
 }
 
+// The same where an image has no pixel: a camera says nothing of what is out of its view, as of what is hidden.
+std::vector<PointAgreement> without_unseen(std::vector<PointAgreement> said) {
+  std::replace(said.begin(), said.end(), PointAgreement::Unseen, PointAgreement::Hidden);
+  return said;
+}
+
 // The last step of the loop, where the points are. A loop of one iteration has shown no small step.
 void add_last_step(const AlignResult& result, double extent, Evidence& evidence) {
   const std::size_t count = result.history.size();
@@ -122,18 +128,17 @@ Judge::Judge(const ScanPair& pair, const ScanMatcher& matcher, const std::option
 }
 
 Judge::Side Judge::source_in_target() const {
-  return {of_source_, on_planes_of_source_, target_says_ ? *target_says_ : matcher_, on_target_,
-          has_known_place(pair_.target)};
+  return {of_source_, on_planes_of_source_, pair_.target, target_says_ ? *target_says_ : matcher_, on_target_};
 }
 
 Judge::Side Judge::target_in_source() const {
-  return {of_target_, on_planes_of_target_, *source_says_, on_source_, has_known_place(pair_.source)};
+  return {of_target_, on_planes_of_target_, pair_.source, *source_says_, on_source_};
 }
 
 std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) const {
   const int num_threads = options_.num_threads, half = half_of_threads(num_threads);
   const auto said = [&](const Side& side, const Rigid3& pose) {
-    return side.other.agreements(side.asked, pose, side.on_other, half);
+    return side.other_says.agreements(side.asked, pose, side.on_other, half);
   };
   auto [of_point, back] = both(
       num_threads, [&] { return said(source_in_target(), target_from_source); },
@@ -143,15 +148,16 @@ std::vector<PointAgreement> Judge::agreements(const Rigid3& target_from_source) 
 }
 
 Testimony Judge::testimony(const Side& side, const PosedCloud& other, bool is_far_from_guess, int num_threads) const {
-  const auto of_point = side.other.agreements(side.asked, other.this_from_asked, side.on_other, num_threads);
-  Testimony testimony{counted(of_point), side.other.knows_free_space()};
-  if (!testimony.knows_free_space || !side.sees_from_known_place)
+  const auto of_point = side.other_says.agreements(side.asked, other.this_from_asked, side.on_other, num_threads);
+  Testimony testimony{counted(of_point), side.other_says.knows_free_space()};
+  if (!testimony.knows_free_space || !has_known_place(side.other))
     testimony.contradicting = contradicting_share(side.asked, without_hidden(of_point), other);
-  if (!on_planes_of_source_.empty())
-    testimony.off_planes = agreement_off_planes(of_point, side.on_planes);
-  else if (is_far_from_guess)  // although the free space is known: the planes of another room fit as well
-    testimony.off_planes =
-        agreement_off_planes(of_point, on_large_planes(side.asked, kDistancePerRadius * other.radius));
+  const bool is_asked_near = !on_planes_of_source_.empty();
+  // Far from the guess although the free space is known: the planes of another room fit as well.
+  if (is_asked_near || is_far_from_guess)
+    testimony.off_planes = agreement_off_planes(
+        side.other.view ? without_unseen(of_point) : of_point,
+        is_asked_near ? side.on_planes : on_large_planes(side.asked, kDistancePerRadius * other.radius));
   return testimony;
 }
 

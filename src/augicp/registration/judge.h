@@ -53,9 +53,9 @@ class Judge {
   struct Side {
     const Cloud& asked;
     const std::vector<bool>& on_planes;  // of the asked ones; may be empty
-    const ScanMatcher& other;
+    const Scan& other;
+    const ScanMatcher& other_says;
     const AgreementTolerance& on_other;
-    bool sees_from_known_place;  // the other scan: its free space is not that of a place which merely fits
   };
   Side source_in_target() const;
   Side target_in_source() const;

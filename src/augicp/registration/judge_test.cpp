@@ -122,6 +122,19 @@ TEST(Judge, WallsAloneThatAgreeAreNoticedWhereFreeSpaceIsUnknown) {
   EXPECT_LT(std::max(wrong.source_in_target.off_planes, wrong.target_in_source.off_planes), 0.75);
 }
 
+// A camera that has turned away from the furniture says nothing of it.
+TEST(Judge, WhatIsOutOfACamerasViewIsNotComparedWithPlanes) {
+  for (const unsigned room : {2u, 4u}) {
+    const Rigid3 world_from_source = testing::look_at({0.2, -1.0, 1.5}, {0.0, 2.2, 0.6});
+    const Rigid3 world_from_target = testing::look_at({0.4, -1.0, 1.5}, {1.1, 2.2, 0.6});
+    const Pair pair{seen_from(world_from_source, 1, room), seen_from(world_from_target, 2, room), {}};
+    const Evidence evidence = evidence_at(pair, inverse(world_from_target) * world_from_source);
+    EXPECT_LT(evidence.source_in_target.seen(), 0.7) << room;
+    EXPECT_GT(evidence.source_in_target.off_planes, 0.87) << room;
+    EXPECT_GT(evidence.target_in_source.off_planes, 0.87) << room;
+  }
+}
+
 // What the clouds' own sensors saw through speaks against a wrong pose as a depth image does, and not against the right
 // one.
 TEST(Judge, FreeSpaceOfCloudsSpeaksAgainstWrongPosesAlone) {

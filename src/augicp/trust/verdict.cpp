@@ -21,17 +21,19 @@ void require_share(const char* name, double value) {
   require(value >= 0.0 && value < 1.0, name, value, "must be from 0 to below 1");
 }
 
-bool is_far_from_guess(const Evidence& evidence, const VerdictLimits& limits) {
-  return evidence.moved > limits.max_moved_near_guess;
-}
+// How little the guess says of the pose: 0 at the guess, 1 without any.
+double distance_from_guess(const Evidence& evidence) { return std::min(evidence.moved / kMovedFromAnywhere, 1.0); }
 
-// The ratio of what stands in free space, as the mean of both sides, to its limit. Near the guess each side has its
-// own.
-double joint_conflict(const Evidence& evidence, const VerdictLimits& limits) {
-  if (!is_far_from_guess(evidence, limits)) return 0.0;
+// The ratio of what stands in free space, as the mean of both sides, to its limit without a guess.
+double conflict_anywhere(const Evidence& evidence, const VerdictLimits& limits) {
   const double beyond = std::min(1.0, evidence.beyond_planes / limits.enough_beyond_planes);
   const double mean = 0.5 * (evidence.source_in_target.conflicting() + evidence.target_in_source.conflicting());
   return mean / (std::lerp(limits.conflicting_on_planes, 1.0, beyond) * limits.max_mean_conflicting);
+}
+
+// The nearer the guess, the less it counts: there each side's own limit is enough.
+double joint_conflict(const Evidence& evidence, const VerdictLimits& limits) {
+  return distance_from_guess(evidence) * conflict_anywhere(evidence, limits);
 }
 
 // Two ratios near their limits say more against a pose than one, where both contradict it for reasons of their own.
@@ -65,8 +67,7 @@ double bare_planes(const Evidence& evidence, const VerdictLimits& limits) {
 // The ratio of what speaks for another pose to its limit; other: the largest ratio of all other evidence. The nearer
 // the guess, the less it counts.
 double outvoted(const Evidence& evidence, double other, const VerdictLimits& limits) {
-  const double from_guess = std::min(evidence.moved / kMovedFromAnywhere, 1.0);
-  return from_guess * evidence.outvoted * other / limits.max_outvoted;
+  return distance_from_guess(evidence) * evidence.outvoted * other / limits.max_outvoted;
 }
 
 // Whether a cloud shows all of the other.
@@ -89,7 +90,7 @@ std::array<double, 7> strains(const Evidence& evidence, const VerdictLimits& lim
   // What one cloud has off its planes the other may not have seen, but not both. What moved between the scans stands in
   // free space, so if that is known it is asked far from the guess only.
   const bool know_free_space = evidence.source_in_target.knows_free_space && evidence.target_in_source.knows_free_space;
-  const bool asks = !know_free_space || is_far_from_guess(evidence, limits);
+  const bool asks = !know_free_space || evidence.moved > limits.max_moved_near_guess;
   const double only_planes = asks ? std::min(one[4], other[4]) : 0.0;
   const double little_seen = std::max({one[0], other[0], joint}), conflict = joint_conflict(evidence, limits);
   const double both = together(little_seen, conflict);  // a doubt of the larger one
@@ -115,6 +116,13 @@ bool is_seen_as_well(const Testimony& rival, const Testimony& best) {
 // crossings and boxes with bosses that only some of the points fit have 0.49 to 0.9 more than the right one in most
 // cases.
 constexpr double kAlikeStrain = 0.4;
+
+// Whether a rival stands in free space, clearly more than the best pose does: that counts by how far the rival itself
+// is from the guess.
+bool is_in_free_space(const Evidence& rival, const Evidence& best, const VerdictLimits& limits) {
+  const double of_rival = joint_conflict(rival, limits);
+  return of_rival > 1.0 && of_rival > distance_from_guess(rival) * conflict_anywhere(best, limits) + kAlikeStrain;
+}
 
 // A limit that is missed threefold says no more against a pose than one that is missed by more: what has moved, or is
 // bent, contradicts one limit of a right pose by any multiple.
@@ -185,8 +193,9 @@ Verdict decide(AlignStatus reached, const Evidence& evidence, const VerdictLimit
 }
 
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits) {
+  if (!has_settled(rival, limits) || is_in_free_space(rival, best, limits)) return false;
   rival.moved = std::min(rival.moved, best.moved);
-  if (!has_settled(rival, limits) || !(strain(rival, limits) <= strain(best, limits) + kAlikeStrain)) return false;
+  if (!(strain(rival, limits) <= strain(best, limits) + kAlikeStrain)) return false;
   // What a part lacks says nothing of the best pose, and nothing of the rival.
   return (best.known_part == Part::Target || is_seen_as_well(rival.source_in_target, best.source_in_target)) &&
          (best.known_part == Part::Source || is_seen_as_well(rival.target_in_source, best.target_in_source));

@@ -215,6 +215,21 @@ TEST(Verdict, WhatTheGuessLeadsToIsNotJudgedAsAPoseFarFromIt) {
   EXPECT_FALSE(fits_as_well(of_guess, far));
 }
 
+// Near a guess the limit of both sides together is wide. A rival far away must not use it.
+TEST(Verdict, ARivalMustNotStandInFreeSpaceWhereTheBestDoesNot) {
+  Evidence best = good_evidence(), rival = best;
+  best.moved = 0.8;
+  rival.moved = 2.0;
+  const Agreement in_free_space{.agree = 960, .conflict = 40};
+  rival.source_in_target.count = rival.target_in_source.count = in_free_space;
+  EXPECT_FALSE(fits_as_well(rival, best));
+  rival.moved = 0.8;
+  EXPECT_TRUE(fits_as_well(rival, best));
+  rival.moved = 2.0;
+  best.source_in_target.count = best.target_in_source.count = in_free_space;
+  EXPECT_TRUE(fits_as_well(rival, best));
+}
+
 // Without free space a contradiction is merely unseen: what leaves more of it unseen is the worse pose.
 TEST(Verdict, ARivalMustSeeAsMuchWhereFreeSpaceIsUnknown) {
   Evidence best = good_evidence(), rival = best;
@@ -309,7 +324,9 @@ TEST(Verdict, FarFromTheGuessLittleInViewAndFreeSpaceAddUp) {
   for (const Agreement& count : {little, seen_through}) EXPECT_EQ(doubts_of(count, 2.0), std::vector<Doubt>{});
   EXPECT_EQ(doubts_of(both, 2.0), std::vector<Doubt>{Doubt::LittleSeen});
   EXPECT_EQ(doubts_of(more, 2.0), std::vector<Doubt>{Doubt::FreeSpace});
-  for (const Agreement& count : {both, more}) EXPECT_EQ(doubts_of(count, 0.1), std::vector<Doubt>{});
+  for (const Agreement& count : {both, more})
+    for (const double moved : {0.1, 1.0}) EXPECT_EQ(doubts_of(count, moved), std::vector<Doubt>{}) << moved;
+  EXPECT_EQ(doubts_of({.agree = 930, .conflict = 70}, 0.1), std::vector<Doubt>{Doubt::FreeSpace});  // each side's limit
 }
 
 // What one cloud has off its planes, the other may not have seen; a doubt needs both. A part on its model is not asked,
