@@ -9,6 +9,7 @@
 #include "augicp/core/angles.h"
 #include "augicp/geometry/rotation.h"
 #include "augicp/registration/start/lead_on.h"
+#include "augicp/registration/start/repeated_turns.h"
 #include "augicp/registration/thin_scan.h"
 
 namespace augicp {
@@ -36,6 +37,11 @@ constexpr double kBoundsQuantile = 0.01;
 
 // Parts of the extent. A start within a quarter of a period finds a repetition.
 constexpr double kShifts[] = {-0.3, -0.15, 0.15, 0.3};
+
+// Repeated turns that are tried beside quarter and half turns.
+constexpr std::size_t kNumCounted = 8192;  // points, for repeated turns
+constexpr std::size_t kMaxRepeatedTurns = 2;
+const double kQuarterTurns = std::sin(5.0 * kRadPerDeg);  // of twice the angle: one that is nearer is one of them
 
 std::vector<Vec3d> normals_of(const Cloud& cloud) {
   std::vector<Vec3d> normals;
@@ -81,16 +87,37 @@ Vec3d centre_of(const Cloud& cloud, const Mat3d& axes) {
   return centre;
 }
 
-std::vector<Rigid3> rival_starts(const Cloud& target, const Rigid3& found, double extent) {
+Vec3d mean_of(const Cloud& cloud) {
+  Vec3d sum = Vec3d::Zero();
+  for (const Vec3f& point : cloud.points) sum += point.cast<double>();
+  return sum / static_cast<double>(cloud.size());
+}
+
+Rigid3 turned(const Rigid3& pose, const TurningAxis& axis, double angle) {
+  const Eigen::Quaterniond turn = rotation_exp(angle * axis.direction);
+  return Rigid3{turn, axis.place - turn * axis.place} * pose;
+}
+
+// Those of five bosses, or of teeth: a third or a fifth of a turn. Both ways: one of the bosses may be missing.
+void add_repeated_turns(const Cloud& target, const TurningAxis& axis, const Rigid3& found,
+                        std::vector<Rigid3>& starts) {
+  std::vector<RepeatedTurn> turns = repeated_turns(target, axis);
+  std::erase_if(turns, [](const RepeatedTurn& turn) { return std::abs(std::sin(2.0 * turn.angle)) < kQuarterTurns; });
+  for (std::size_t k = 0; k < std::min(turns.size(), kMaxRepeatedTurns); ++k)
+    for (const double sign : {1.0, -1.0}) starts.push_back(turned(found, axis, sign * turns[k].angle));
+}
+
+// target: on few points, for its axes; whole: all of its points.
+std::vector<Rigid3> rival_starts(const Cloud& target, const Cloud& whole, const Rigid3& found, double extent) {
   const Mat3d axes = scene_axes(target);
-  const Vec3d centre = centre_of(target, axes);
+  const Vec3d centre = centre_of(target, axes), mean = mean_of(target);
+  const Cloud counted = evenly_chosen(whole, kNumCounted);
   std::vector<Rigid3> starts;
   for (int k = 0; k < 3; ++k) {
     const Vec3d axis = axes.col(k);
-    for (const double angle : {0.5 * std::numbers::pi, std::numbers::pi, -0.5 * std::numbers::pi}) {
-      const Eigen::Quaterniond turn = rotation_exp(angle * axis);
-      starts.push_back(Rigid3{turn, centre - turn * centre} * found);
-    }
+    for (const double angle : {0.5 * std::numbers::pi, std::numbers::pi, -0.5 * std::numbers::pi})
+      starts.push_back(turned(found, {centre, axis}, angle));
+    add_repeated_turns(counted, {mean, axis}, found, starts);
     for (const double shift : kShifts)
       starts.push_back(Rigid3{Eigen::Quaterniond::Identity(), shift * extent * axis} * found);
   }
@@ -154,7 +181,8 @@ std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_targ
                            kClearlyPerRadius * pair.lengths.radius);
   };
   const double least = match.plausibility(found_target_from_source, options.num_threads) - kLessPlausible;
-  const std::vector<Rigid3> starts = rival_starts(coarse.target.cloud, found_target_from_source, pair.lengths.extent);
+  const std::vector<Rigid3> starts =
+      rival_starts(coarse.target.cloud, pair.target.cloud, found_target_from_source, pair.lengths.extent);
   // Few points may lose a start that fits: where legs are thin. So the starts themselves are rivals, too.
   auto led = led_rivals(match, starts, is_back, least), unmoved = as_they_are(match, starts, options.num_threads);
   std::vector<Rigid3> rivals;

@@ -88,6 +88,33 @@ TEST(Rivals, ATableIsAmbiguousFromEitherGuess) {
   }
 }
 
+// Arms about a hub, one at each of these angles, radians.
+Scan star(const std::vector<double>& angles_rad, unsigned seed) {
+  std::mt19937 generator(seed);
+  Cloud cloud;
+  for (const double angle_rad : angles_rad) {
+    Cloud arm;
+    add_box({0.8, 0.15, 0.1}, {0.6, 0.0, 0.0}, 3000, generator, arm);
+    const Cloud turned = transform(arm, {rotation_exp({0.0, 0.0, angle_rad}), Vec3d::Zero()});
+    cloud.points.insert(cloud.points.end(), turned.points.begin(), turned.points.end());
+  }
+  return scan_of(std::move(cloud));
+}
+
+// Neither quarter nor half turns: the same after a fifth of a turn, unless an arm is missing.
+TEST(Rivals, FiveArmsAreAmbiguousAndFourOfThemAreNot) {
+  const double fifth = 0.4 * std::numbers::pi;
+  for (const bool is_whole : {true, false}) {
+    std::vector<double> angles_rad{0.0, fifth, 2.0 * fifth, 3.0 * fifth};
+    if (is_whole) angles_rad.push_back(4.0 * fifth);
+    Scan source = star(angles_rad, 1);
+    source.cloud = transform(source.cloud, inverse(kTrueMotion));
+    const AlignResult result = register_scans(std::move(source), star(angles_rad, 2)).result;
+    EXPECT_THAT(result.target_from_source, NearPose(kTrueMotion, 0.01, 0.02));
+    EXPECT_EQ(result.status, is_whole ? AlignStatus::Ambiguous : AlignStatus::Converged);
+  }
+}
+
 // It fits all four lower corners of the box. Three planes are a doubt of a pose far from the guess, as its rivals are:
 // they count as if they were as near as it is.
 TEST(Rivals, ACornerOfABoxIsAmbiguousThoughTheGuessIsNear) {
