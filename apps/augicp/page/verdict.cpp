@@ -28,8 +28,9 @@ std::string doubt_text(Doubt doubt, const Evidence& evidence) {
                          100.0 * one.agreeing(), 100.0 * other.agreeing());
     case Doubt::FreeSpace:
       return fmt::format(
-          "{:.1f} % and {:.1f} % are in free space of the other's camera; at most {:.0f} % are allowed, and "
-          "without a guess {:.0f} % on average, less if little is visible or off the large planes.",
+          "{:.1f} % and {:.1f} % are in free space of the other's camera; at most {:.0f} % are allowed. "
+          "Without a guess {:.0f} % are allowed on average, less if little is visible or off the large planes. The "
+          "nearer the guess, the more.",
           100.0 * one.conflicting(), 100.0 * other.conflicting(), 100.0 * limits.max_conflicting,
           100.0 * limits.max_mean_conflicting);
     case Doubt::Contradiction:

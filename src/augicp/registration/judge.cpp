@@ -52,7 +52,7 @@ std::vector<PointAgreement> without_hidden(std::vector<PointAgreement> said) {
   return said;
 }
 
-// The same where an image has no pixel: a camera says nothing of what is out of its view, as of what is hidden.
+// Unseen points count as hidden: a camera gives no evidence about what is out of its view, or has no reading.
 std::vector<PointAgreement> without_unseen(std::vector<PointAgreement> said) {
   std::replace(said.begin(), said.end(), PointAgreement::Unseen, PointAgreement::Hidden);
   return said;

@@ -31,7 +31,7 @@ double conflict_anywhere(const Evidence& evidence, const VerdictLimits& limits) 
   return mean / (std::lerp(limits.conflicting_on_planes, 1.0, beyond) * limits.max_mean_conflicting);
 }
 
-// The nearer the guess, the less it counts: there each side's own limit is enough.
+// The nearer the guess, the less it counts. Each side has a limit of its own anyway.
 double joint_conflict(const Evidence& evidence, const VerdictLimits& limits) {
   return distance_from_guess(evidence) * conflict_anywhere(evidence, limits);
 }
@@ -117,8 +117,8 @@ bool is_seen_as_well(const Testimony& rival, const Testimony& best) {
 // cases.
 constexpr double kAlikeStrain = 0.4;
 
-// Whether a rival stands in free space, clearly more than the best pose does: that counts by how far the rival itself
-// is from the guess.
+// Whether a rival stands in free space, clearly more than the best pose does. The rival's own distance from the guess
+// counts here: near it, more is allowed.
 bool is_in_free_space(const Evidence& rival, const Evidence& best, const VerdictLimits& limits) {
   const double of_rival = joint_conflict(rival, limits);
   return of_rival > 1.0 && of_rival > distance_from_guess(rival) * conflict_anywhere(best, limits) + kAlikeStrain;

@@ -27,8 +27,8 @@ struct Testimony {
   // is known from a place that is more than assumed: what moved between the scans stands in it.
   double contradicting = 0.0;
 
-  // How well points off the large planes agree, relative to those on them, see beyond_planes.h. Of a depth image, only
-  // what is in its view is asked. Not asked, and 1, where both clouds know their free space and the pose is near the
+  // How well points off the large planes agree, relative to those on them, see beyond_planes.h. A depth image is asked
+  // only where it has readings. Not asked, and 1, where both clouds know their free space and the pose is near the
   // guess.
   double off_planes = 1.0;
 
@@ -110,10 +110,11 @@ struct VerdictLimits {
 
   // Without a guess the largest mean of both sides' shares in free space is this, if at least this share is off the
   // planes. The fewer are, the less: the walls of another room fit, and only free space contradicts. Without any it is
-  // this part. Nearer to a guess the ratio to this limit counts in proportion to the distance. Right poses of generated
-  // rooms and LiDAR scans have up to 0.93 of the limit, and wrong ones of rooms that share nothing and pass all other
-  // limits 1.08 and more. Both ratios, c of this limit and m of little_seen, count together: the cube root of c^3 + m^3
-  // is at most 1. Right poses have up to 0.93, four of six wrong ones that pass all else 1.04 and more.
+  // this part. With a guess the ratio to this limit is multiplied by half of the distance from it in radii of gyration,
+  // at most 1. Right poses of generated rooms and LiDAR scans have up to 0.93 of the limit, and wrong ones of rooms
+  // that share nothing and pass all other limits 1.08 and more. Both ratios, c of this limit and m of little_seen,
+  // count together: the cube root of c^3 + m^3 is at most 1. Right poses have up to 0.93, four of six wrong ones that
+  // pass all else 1.04 and more.
   double max_mean_conflicting = 0.03;
   double enough_beyond_planes = 0.1;
   double conflicting_on_planes = 0.3;
@@ -183,7 +184,7 @@ struct RunnerUp {
 
 // Whether the evidence supports another pose as well as the best one. A rival lies far from the guess by its nature: it
 // counts as if it had moved no farther than the best pose. Its strain exceeds that of the best pose by at most 0.4:
-// between poses that fit alike it differs by chance. Only the limit of both sides' free space counts from where it is.
+// between poses that fit alike it differs by chance. For the limit of both sides' free space its own distance counts.
 bool fits_as_well(Evidence rival, const Evidence& best, const VerdictLimits& limits = {});
 
 // Whether the pose that the guess leads to may be the right one although a limit refuses it by little, or although it

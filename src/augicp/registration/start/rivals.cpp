@@ -9,7 +9,7 @@
 #include "augicp/core/angles.h"
 #include "augicp/geometry/rotation.h"
 #include "augicp/registration/start/lead_on.h"
-#include "augicp/registration/start/repeated_turns.h"
+#include "augicp/registration/start/repeated_rotations.h"
 #include "augicp/registration/thin_scan.h"
 
 namespace augicp {
@@ -38,10 +38,8 @@ constexpr double kBoundsQuantile = 0.01;
 // Parts of the extent. A start within a quarter of a period finds a repetition.
 constexpr double kShifts[] = {-0.3, -0.15, 0.15, 0.3};
 
-// Repeated turns that are tried beside quarter and half turns.
-constexpr std::size_t kNumCounted = 8192;  // points, for repeated turns
-constexpr std::size_t kMaxRepeatedTurns = 2;
-const double kQuarterTurns = std::sin(5.0 * kRadPerDeg);  // of twice the angle: one that is nearer is one of them
+constexpr std::size_t kNumCounted = 8192;                 // points, for what repeats itself
+const double kQuarterTurns = std::sin(5.0 * kRadPerDeg);  // rotations within 2.5 degrees of one are tried anyway
 
 std::vector<Vec3d> normals_of(const Cloud& cloud) {
   std::vector<Vec3d> normals;
@@ -87,40 +85,39 @@ Vec3d centre_of(const Cloud& cloud, const Mat3d& axes) {
   return centre;
 }
 
-Vec3d mean_of(const Cloud& cloud) {
-  Vec3d sum = Vec3d::Zero();
-  for (const Vec3f& point : cloud.points) sum += point.cast<double>();
-  return sum / static_cast<double>(cloud.size());
+Rigid3 rotated(const Rigid3& pose, const RotationAxis& axis, double angle) {
+  const Eigen::Quaterniond rotation = rotation_exp(angle * axis.direction);
+  return Rigid3{rotation, axis.place - rotation * axis.place} * pose;
 }
 
-Rigid3 turned(const Rigid3& pose, const TurningAxis& axis, double angle) {
-  const Eigen::Quaterniond turn = rotation_exp(angle * axis.direction);
-  return Rigid3{turn, axis.place - turn * axis.place} * pose;
-}
-
-// Those of five bosses, or of teeth: a third or a fifth of a turn. Both ways: one of the bosses may be missing.
-void add_repeated_turns(const Cloud& target, const TurningAxis& axis, const Rigid3& found,
-                        std::vector<Rigid3>& starts) {
-  std::vector<RepeatedTurn> turns = repeated_turns(target, axis);
-  std::erase_if(turns, [](const RepeatedTurn& turn) { return std::abs(std::sin(2.0 * turn.angle)) < kQuarterTurns; });
-  for (std::size_t k = 0; k < std::min(turns.size(), kMaxRepeatedTurns); ++k)
-    for (const double sign : {1.0, -1.0}) starts.push_back(turned(found, axis, sign * turns[k].angle));
+// By one of five bosses, or by a tooth. Both ways: one of the bosses may be missing.
+void add_repeated(const Cloud& target, const RotationAxis& axis, const Rigid3& found, std::vector<Rigid3>& starts) {
+  std::vector<RepeatedRotation> all = repeated_rotations(target, axis);
+  std::erase_if(all, [](const auto& rotation) { return std::abs(std::sin(2.0 * rotation.angle)) < kQuarterTurns; });
+  if (all.empty()) return;
+  const auto smallest =
+      std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.angle < b.angle; });
+  for (const double angle : {all.front().angle, smallest->angle})
+    for (const double sign : {1.0, -1.0}) starts.push_back(rotated(found, axis, sign * angle));
 }
 
 // target: on few points, for its axes; whole: all of its points.
 std::vector<Rigid3> rival_starts(const Cloud& target, const Cloud& whole, const Rigid3& found, double extent) {
   const Mat3d axes = scene_axes(target);
-  const Vec3d centre = centre_of(target, axes), mean = mean_of(target);
-  const Cloud counted = evenly_chosen(whole, kNumCounted);
+  const Vec3d centre = centre_of(target, axes);
   std::vector<Rigid3> starts;
   for (int k = 0; k < 3; ++k) {
     const Vec3d axis = axes.col(k);
     for (const double angle : {0.5 * std::numbers::pi, std::numbers::pi, -0.5 * std::numbers::pi})
-      starts.push_back(turned(found, {centre, axis}, angle));
-    add_repeated_turns(counted, {mean, axis}, found, starts);
+      starts.push_back(rotated(found, {centre, axis}, angle));
     for (const double shift : kShifts)
       starts.push_back(Rigid3{Eigen::Quaterniond::Identity(), shift * extent * axis} * found);
   }
+  const Cloud counted = evenly_chosen(whole, kNumCounted);
+  const RotationAxis principal = principal_axis(target);  // which is evenly dense
+  add_repeated(counted, principal, found, starts);
+  if (std::abs(principal.direction.dot(axes.col(0))) < kAlike)  // of a scan from one side
+    add_repeated(counted, {principal.place, axes.col(0)}, found, starts);
   return starts;
 }
 

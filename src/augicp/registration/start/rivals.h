@@ -18,8 +18,8 @@ Mat3d scene_axes(const Cloud& cloud);
 
 // Poses that differ clearly from one that was found, and may fit as well: those to which a few iterations on few points
 // lead from the found pose, and that are nearly as plausible. It is rotated about the target's axes by quarter and half
-// turns, and by those after which the target repeats itself (repeated_turns.h), or moved along them. The most plausible
-// first; none in most cases. Scans must be clouds, and prepared.
+// turns, and by those after which the target repeats itself (repeated_rotations.h), or moved along them. The most
+// plausible first; none in most cases. Scans must be clouds, and prepared.
 std::vector<Rigid3> search_rivals(const ScanPair& pair, const Rigid3& found_target_from_source,
                                   const RegistrationOptions& options);
 

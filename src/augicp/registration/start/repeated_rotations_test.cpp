@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "augicp/registration/start/repeated_turns.h"
+#include "augicp/registration/start/repeated_rotations.h"
 
 #include <gtest/gtest.h>
 
@@ -35,12 +35,12 @@ std::vector<double> pegs(int count) {
   return angles_deg;
 }
 
-TEST(RepeatedTurns, AreThoseOfThePegs) {
+TEST(RepeatedRotations, AreThoseOfThePegs) {
   const Vec3d place(1.0, -2.0, 3.0);
   for (const int count : {3, 5, 8}) {
-    const auto turns = repeated_turns(plate_with_pegs(pegs(count), place), {place, Vec3d::UnitZ()});
+    const auto turns = repeated_rotations(plate_with_pegs(pegs(count), place), {place, Vec3d::UnitZ()});
     EXPECT_EQ(turns.size(), static_cast<std::size_t>(count / 2)) << count;
-    for (const RepeatedTurn& turn : turns) {
+    for (const RepeatedRotation& turn : turns) {
       const double steps = turn.angle * count / (2.0 * std::numbers::pi);
       EXPECT_NEAR(steps, std::round(steps), 0.05) << count;
       EXPECT_GT(steps, 0.5) << count;
@@ -50,28 +50,28 @@ TEST(RepeatedTurns, AreThoseOfThePegs) {
   }
 }
 
-TEST(RepeatedTurns, DoNotDependOnTheFrame) {
+TEST(RepeatedRotations, DoNotDependOnTheFrame) {
   const Rigid3 turned{rotation_exp({0.7, -1.1, 0.4}), Vec3d::Zero()};
   const Vec3d place(10.0, 20.0, -5.0);
   const Cloud cloud = transform(plate_with_pegs(pegs(5), place), turned);
-  const auto turns = repeated_turns(cloud, {turned * place, turned.rotation * Vec3d::UnitZ()});
+  const auto turns = repeated_rotations(cloud, {turned * place, turned.rotation * Vec3d::UnitZ()});
   ASSERT_EQ(turns.size(), 2u);
-  for (const RepeatedTurn& turn : turns) EXPECT_NEAR(std::remainder(turn.angle, 0.4 * std::numbers::pi), 0.0, 0.05);
+  for (const RepeatedRotation& turn : turns) EXPECT_NEAR(std::remainder(turn.angle, 0.4 * std::numbers::pi), 0.0, 0.05);
 }
 
-TEST(RepeatedTurns, OnePegMayBeMissing) {
+TEST(RepeatedRotations, OnePegMayBeMissing) {
   const auto turns =
-      repeated_turns(plate_with_pegs({72.0, 144.0, 216.0, 288.0}, Vec3d::Zero()), {Vec3d::Zero(), Vec3d::UnitZ()});
+      repeated_rotations(plate_with_pegs({72.0, 144.0, 216.0, 288.0}, Vec3d::Zero()), {Vec3d::Zero(), Vec3d::UnitZ()});
   ASSERT_FALSE(turns.empty());
   EXPECT_NEAR(std::remainder(turns.front().angle, 0.4 * std::numbers::pi), 0.0, 0.05);
 }
 
-TEST(RepeatedTurns, ThereAreNoneOfAPlateOrOfUnevenPegs) {
+TEST(RepeatedRotations, ThereAreNoneOfAPlateOrOfUnevenPegs) {
   for (const std::vector<double>& angles_deg :
        {std::vector<double>{}, std::vector<double>{0.0}, std::vector<double>{0.0, 50.0, 110.0, 200.0, 265.0}})
-    EXPECT_TRUE(repeated_turns(plate_with_pegs(angles_deg, Vec3d::Zero()), {Vec3d::Zero(), Vec3d::UnitZ()}).empty())
+    EXPECT_TRUE(repeated_rotations(plate_with_pegs(angles_deg, Vec3d::Zero()), {Vec3d::Zero(), Vec3d::UnitZ()}).empty())
         << angles_deg.size();
-  EXPECT_TRUE(repeated_turns({}, {Vec3d::Zero(), Vec3d::UnitZ()}).empty());
+  EXPECT_TRUE(repeated_rotations({}, {Vec3d::Zero(), Vec3d::UnitZ()}).empty());
 }
 
 }  // namespace
