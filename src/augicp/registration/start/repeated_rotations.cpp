@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kNumAngles = 120;                // of 3 degrees
 constexpr int kNumHeights = 8, kNumRadii = 8;  // rings about the axis
+constexpr Eigen::Index kNumRings = Eigen::Index{kNumHeights} * kNumRadii;
 
 // The least part of what varies about the axis that is found again, and by how many standard deviations that exceeds
 // chance.
@@ -54,7 +55,7 @@ Share share_of_angle(double angle) {
 }
 
 struct Counts {
-  Rings rings = Rings::Zero(kNumHeights * kNumRadii, kNumAngles);
+  Rings rings = Rings::Zero(kNumRings, kNumAngles);
   double variance = 0.0;  // summed over bins, of points at random
 };
 

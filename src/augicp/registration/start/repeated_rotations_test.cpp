@@ -30,8 +30,8 @@ Cloud plate_with_pegs(const std::vector<double>& angles_deg, const Vec3d& place)
 }
 
 std::vector<double> pegs(int count) {
-  std::vector<double> angles_deg;
-  for (int k = 0; k < count; ++k) angles_deg.push_back(360.0 * k / count);
+  std::vector<double> angles_deg(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) angles_deg[static_cast<std::size_t>(k)] = 360.0 * k / count;
   return angles_deg;
 }
 
