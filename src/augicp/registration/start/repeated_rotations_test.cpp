@@ -14,7 +14,7 @@ namespace augicp {
 namespace {
 
 // A round plate about the vertical through a place, with a peg at each of these angles, degrees.
-Cloud plate_with_pegs(const std::vector<double>& angles_deg, const Vec3d& place) {
+Cloud plate_with_pegs(const std::vector<double>& angles_deg, const Vec3d& place, int points_per_peg = 200) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   Cloud cloud;
@@ -24,7 +24,7 @@ Cloud plate_with_pegs(const std::vector<double>& angles_deg, const Vec3d& place)
   };
   for (int k = 0; k < 4000; ++k) add(std::sqrt(part(generator)), 2.0 * std::numbers::pi * part(generator), 0.0);
   for (const double angle_deg : angles_deg)
-    for (int k = 0; k < 200; ++k)
+    for (int k = 0; k < points_per_peg; ++k)
       add(0.6 + 0.1 * part(generator), kRadPerDeg * angle_deg + 0.15 * part(generator), 0.3 * part(generator));
   return cloud;
 }
@@ -57,6 +57,29 @@ TEST(RepeatedRotations, DoNotDependOnTheFrame) {
   const auto turns = repeated_rotations(cloud, {turned * place, turned.rotation * Vec3d::UnitZ()});
   ASSERT_EQ(turns.size(), 2u);
   for (const RepeatedRotation& turn : turns) EXPECT_NEAR(std::remainder(turn.angle, 0.4 * std::numbers::pi), 0.0, 0.05);
+}
+
+// The plate is then not at one height, and its points vary about the axis more than the pegs.
+TEST(RepeatedRotations, TheAxisMayBeTiltedByADegree) {
+  const Cloud cloud = plate_with_pegs(pegs(5), Vec3d::Zero(), 100);
+  for (const Vec3d& tilt_deg : {Vec3d(1.0, 0.0, 0.0), Vec3d(0.0, 1.0, 0.0)}) {
+    const auto rotations =
+        repeated_rotations(cloud, {Vec3d::Zero(), rotation_exp(kRadPerDeg * tilt_deg) * Vec3d::UnitZ()});
+    ASSERT_FALSE(rotations.empty());
+    EXPECT_NEAR(std::remainder(rotations.front().angle, 0.4 * std::numbers::pi), 0.0, 0.06);
+  }
+}
+
+// Five pegs above and five below, halfway between them: seen from above they look like ten. A far outlier must not put
+// all of them at one height.
+TEST(RepeatedRotations, HeightsAreToldApartBesideAnOutlier) {
+  Cloud cloud = plate_with_pegs(pegs(5), Vec3d::Zero());
+  for (Vec3f point : plate_with_pegs({36.0, 108.0, 180.0, 252.0, 324.0}, Vec3d::Zero()).points)
+    cloud.points.emplace_back(point.x(), point.y(), -point.z());
+  cloud.points.emplace_back(300.0f, 0.0f, 50.0f);
+  const auto rotations = repeated_rotations(cloud, {Vec3d::Zero(), Vec3d::UnitZ()});
+  ASSERT_EQ(rotations.size(), 2u);
+  for (const RepeatedRotation& by : rotations) EXPECT_NEAR(std::remainder(by.angle, 0.4 * std::numbers::pi), 0.0, 0.06);
 }
 
 TEST(RepeatedRotations, OnePegMayBeMissing) {
