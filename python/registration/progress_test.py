@@ -9,6 +9,7 @@ import augicp
 
 RANDOM = np.random.default_rng(5)
 CORNER = np.concatenate([np.insert(RANDOM.random((800, 2)), axis, 0.0, axis=1) for axis in range(3)])
+CORNER *= [1.0, 0.8, 0.6]  # three equal sides would be ambiguous
 NOWHERE = RANDOM.random((2400, 3))
 
 
