@@ -105,7 +105,7 @@ struct VerdictLimits {
   double max_moved_on_planes = 0.5;
 
   // Farther than this from the guess, in radii of gyration (a rotation by 30 degrees), off_planes is asked although
-  // both clouds know their free space.
+  // both clouds know their free space, and poses that are found without the guess compete.
   double max_moved_near_guess = 0.5;
 
   // Without a guess the largest mean of both sides' shares in free space is this, if at least this share is off the
