@@ -123,7 +123,7 @@ class ExperimentTest(unittest.TestCase):
                      "--output", "-")
         self.assertGreater(len(table), 20)
         for row in table:
-            self.assertNotIn(None, row.values(), row)  # as many fields as columns
+            self.assertNotIn(None, row.values(), row)  # a field for each column
             if row["strain"]:
                 doubts = set(row["doubts"].split()) - {"left_guess"}
                 self.assertEqual(float(row["strain"]) > 1.0, bool(doubts), row)

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "augicp/core/median.h"
+
 namespace augicp {
 namespace {
 
@@ -58,11 +60,10 @@ struct Counts {
   double variance = 0.0;  // summed over bins, of points at random
 };
 
-// The value that a part of all is below.
-double quantile(std::vector<double> values, double part) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+// The value that this part of all is below.
+double value_above(std::vector<double> values, double part) {
+  const auto rank = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1));
+  return value_at_rank(std::move(values), rank);
 }
 
 // Each point is shared by bins. So neither a face on a border of them nor a period between them matters. Outliers count
@@ -73,8 +74,8 @@ Counts counted_about(const std::vector<Cylindrical>& points) {
     heights.push_back(point.height);
     radii.push_back(point.radius);
   }
-  const double low = quantile(heights, kOutliers), high = quantile(heights, 1.0 - kOutliers),
-               wide = quantile(radii, 1.0 - kOutliers);
+  const double low = value_above(heights, kOutliers), high = value_above(heights, 1.0 - kOutliers),
+               wide = value_above(radii, 1.0 - kOutliers);
   Counts counts;
   for (const Cylindrical& point : points) {
     const Share height = share_of(point.height, low, high, kNumHeights),
